@@ -41,8 +41,8 @@ from benchmarks._fuzz_mutations import entries_of
 from benchmarks._fuzz_pool import fingerprint, preload, run_command, stay_within
 from benchmarks._measure import print_table
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import write_text
-from insole_core.export.temporary import GRACE_S, is_temporary
+from insole_core.files.atomic import write_text
+from insole_core.files.temporary import GRACE_S, is_temporary
 from insole_core.formats.ply import write_ply
 from insole_studio.acquisition.unfinished_captures import holding_target
 

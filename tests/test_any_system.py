@@ -22,16 +22,16 @@ ROOT = HERE.parent
 PRODUCT = ("app", "insole_core", "drivers/kinect")
 TESTS = (
     "insole_core/cases/test_case_file.py",
-    "insole_core/export/test_atomic.py",
-    "insole_core/export/test_file_lock.py",
+    "insole_core/files/test_atomic.py",
+    "insole_core/files/test_file_lock.py",
     "insole_core/recording/test_session_layout.py",
     "insole_core/recording/test_round_trip.py",
 )
 GUARDED = {
     ("drivers/kinect/kinect_v1/isochronous.py", "select.poll"),  # libusb has no files there
-    ("insole_core/export/file_lock.py", "import fcntl"),  # else msvcrt
-    ("insole_core/export/temporary.py", "os.getuid"),  # there all files are the user's
-    ("insole_core/export/file_mode.py", "os.chown"),  # there all groups are 0
+    ("insole_core/files/file_lock.py", "import fcntl"),  # else msvcrt
+    ("insole_core/files/temporary.py", "os.getuid"),  # there all files are the user's
+    ("insole_core/files/file_mode.py", "os.chown"),  # there all groups are 0
     ("insole_core/records/author.py", "import pwd"),  # else the access token
     ("insole_core/records/author.py", "os.getuid"),
     ("insole_core/records/backup/backup_folder.py", "os.posix_fadvise"),  # where it exists
@@ -61,7 +61,7 @@ def test_no_folder_of_posix_is_named() -> None:
     named = {name for name, text in sources() if FOLDER.search(text)}
     assert named == {
         "app/insole_studio/acquisition/examined_sensors.py",  # udev, on Linux only
-        "insole_core/export/processes.py",  # what only Linux tells of a process
+        "insole_core/files/processes.py",  # what only Linux tells of a process
     }
 
 

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Literal, get_type_hints
 
-from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import Complain, entries_of_others, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 

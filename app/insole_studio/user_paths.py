@@ -10,8 +10,8 @@ from tempfile import TemporaryFile
 
 import platformdirs
 
-from insole_core.export.atomic import PRIVATE_FOLDER, make_output_folder
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import PRIVATE_FOLDER, make_output_folder
+from insole_core.files.write_errors import output_errors
 
 log = logging.getLogger(__name__)
 

@@ -16,8 +16,8 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.stored_mesh import MAX_PART_BYTES, pack_mesh, unpack_mesh
 from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError, unreadable
-from insole_core.export.atomic import replacing_file
 from insole_core.file_digest import sha256_of
+from insole_core.files.atomic import replacing_file
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject

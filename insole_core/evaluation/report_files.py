@@ -9,7 +9,7 @@ from pathlib import Path
 from insole_core.evaluation.report import Report, report_json
 from insole_core.evaluation.report_html import write_html
 from insole_core.evaluation.report_pdf import write_pdf
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
 
 __all__ = ["WRITERS", "write_html", "write_json", "write_pdf"]
 

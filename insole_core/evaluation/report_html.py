@@ -12,7 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table, head_line
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
 from insole_core.recording.images import encode_png
 from insole_core.visible_text import visible
 

@@ -1,5 +1,5 @@
-"""What is written for others: orders and papers; and how anything is written safely.
+"""What is written for others: orders, papers and tables.
 
-``atomic.replacing_file`` and ``transaction.Transaction`` let results take their places whole,
-``file_lock.FileLock`` keeps a second process away.
+``shop_order.ShopOrder`` is what a shop gets, ``order_verification.verify_order`` looks whether it
+is as it was written; ``paper.write_job_sheet`` writes the paper that goes with it.
 """

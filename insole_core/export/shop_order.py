@@ -9,10 +9,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
-from typing import Any, Final, Literal, TypeAlias, get_args
+from typing import Any, Final, get_args
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
+from insole_core.formats.file_formats import FileRole
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject
 
@@ -30,7 +31,6 @@ _MOST_DAYS: Final = 730
 _FORBIDDEN_IN_NAMES: Final = re.compile(r'[\x00-\x1f<>:"|?*/\\]')
 _DIGEST: Final = re.compile(r"[0-9a-f]{64}")
 
-FileRole: TypeAlias = Literal["solid", "gcode", "job_sheet", "checks", "other"]
 FILE_ROLES: Final[tuple[FileRole, ...]] = get_args(FileRole)
 MADE_FROM: Final[tuple[FileRole, ...]] = ("solid", "gcode")
 """Roles of the files that a machine makes an insole from: each ordered side needs one."""

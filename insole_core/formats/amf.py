@@ -15,7 +15,7 @@ from xml.sax.saxutils import escape
 import numpy as np
 import scipy
 
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.formats.bounded_xml import walk_xml
 from insole_core.formats.raw_surface import RawSurface, placed
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent

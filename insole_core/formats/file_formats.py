@@ -14,7 +14,6 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, Final, Literal, TypeAlias
 
 from insole_core.errors import InputError, UsageError
-from insole_core.export.shop_order import FileRole
 from insole_core.foreign_files import kind_by_ending
 from insole_core.messages import joined
 
@@ -23,6 +22,8 @@ if TYPE_CHECKING:
     from insole_core.formats.scan_content import ScanContent
     from insole_core.formats.solid_content import SolidContent
 
+FileRole: TypeAlias = Literal["solid", "gcode", "job_sheet", "checks", "other"]
+"""Of a file in an order."""
 Carried: TypeAlias = Literal["unit", "colour", "bodies", "print settings"]
 """What a written file can hold beside its surface."""
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.formats.number_text import (
     Lines,
     floats,

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.formats.number_text import Lines, floats, plain_text, words_per_line
 from insole_core.formats.polygons import MOST_CORNERS, as_indices, fans
 from insole_core.formats.raw_surface import RawSurface

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 from xml.sax.saxutils import quoteattr
 
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.formats.solid_content import merged
 from insole_core.formats.three_mf import (
     assembly_xml,

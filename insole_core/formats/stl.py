@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.formats.number_text import Lines, floats, plain_text
 from insole_core.formats.raw_surface import RawSurface
 from insole_core.formats.scan_content import ScanContent, padding_note

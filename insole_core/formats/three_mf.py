@@ -17,7 +17,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.formats.bounded_xml import SEPARATOR, walk_xml
 from insole_core.formats.raw_surface import RawSurface, placed
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent

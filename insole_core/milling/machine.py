@@ -9,7 +9,7 @@ from pathlib import Path
 from string import Formatter
 from typing import Any, Literal, TypeAlias, get_args
 
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-milling-machine", 1

@@ -6,8 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from insole_core.export.atomic import write_text
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import write_text
+from insole_core.files.write_errors import output_errors
 from insole_core.geometry.side import BOTH, Side
 from insole_core.json_object import JsonObject
 from insole_core.recording.box import Box

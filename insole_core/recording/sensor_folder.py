@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import write_private
+from insole_core.files.atomic import write_private
 from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.recording.sensor_json import correction_name, parse_sensor, sensor_json

@@ -7,8 +7,8 @@ import os
 import re
 from pathlib import Path
 
-from insole_core.export.temporary import is_left
-from insole_core.export.transaction import any_file, check_file, check_folder
+from insole_core.files.temporary import is_left
+from insole_core.files.transaction import any_file, check_file, check_folder
 from insole_core.recording.hand_edits_file import NAME as EDITS
 from insole_core.recording.manifest_json import FORMAT
 from insole_core.recording.sensor_folder import CORRECTION_FILE, SENSOR_FILE

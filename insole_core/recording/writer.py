@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from insole_core.export.atomic import replacing_file, replacing_folder, scratch_folder
+from insole_core.files.atomic import replacing_file, replacing_folder, scratch_folder
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh

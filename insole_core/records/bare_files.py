@@ -9,7 +9,7 @@ from pathlib import Path, PurePath
 
 from insole_core.cases.name_words import holds_any
 from insole_core.errors import InputError
-from insole_core.export.atomic import scratch_folder
+from insole_core.files.atomic import scratch_folder
 from insole_core.formats.ply import write_ply
 from insole_core.formats.reading import read_raw
 from insole_core.geometry.mesh import TriangleMesh

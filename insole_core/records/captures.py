@@ -9,8 +9,8 @@ from typing import Any, Final
 from sqlalchemy import Connection, Row, func, insert, select, update
 
 from insole_core.errors import InputError, RecordsError
-from insole_core.export.atomic import scratch_folder
 from insole_core.file_digest import sha256_of
+from insole_core.files.atomic import scratch_folder
 from insole_core.formats.file_formats import SCAN_SUFFIXES
 from insole_core.given_file import given_errors
 from insole_core.recording.session_layout import MANIFEST

@@ -11,10 +11,10 @@ from typing import Final
 from sqlalchemy import Connection, Table, func, or_, select
 
 from insole_core.errors import InsoleError, RecordsError
-from insole_core.export.atomic import make_output_folder
-from insole_core.export.file_mode import PRIVATE_FILE
-from insole_core.export.temporary import remove
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import make_output_folder
+from insole_core.files.file_mode import PRIVATE_FILE
+from insole_core.files.temporary import remove
+from insole_core.files.write_errors import output_errors
 from insole_core.messages import Message
 from insole_core.records.author import Author
 from insole_core.records.clinic import setting_of, write_setting

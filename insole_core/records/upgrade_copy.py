@@ -18,10 +18,10 @@ from typing import TYPE_CHECKING, Final
 from sqlalchemy import Connection, func, inspect, select, text
 
 from insole_core.errors import OutputError, RecordsError
-from insole_core.export.file_mode import PRIVATE_FILE
-from insole_core.export.sync import sync
-from insole_core.export.temporary import make_file, release, remove
-from insole_core.export.write_errors import output_errors
+from insole_core.files.file_mode import PRIVATE_FILE
+from insole_core.files.sync import sync
+from insole_core.files.temporary import make_file, release, remove
+from insole_core.files.write_errors import output_errors
 from insole_core.records.backup.portable_rows import tables_of
 from insole_core.records.database import MIGRATION_LOCK, Database
 from insole_core.records.database_errors import busy

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray
 from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject

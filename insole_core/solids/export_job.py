@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from insole_core.errors import DesignError, UsageError
-from insole_core.export.atomic import write_text
 from insole_core.export.sheet_terms import as_keyword, sheet_terms
 from insole_core.export.shop_order import OrderTerms, Release
-from insole_core.export.transaction import Transaction
+from insole_core.files.atomic import write_text
+from insole_core.files.transaction import Transaction
 from insole_core.formats.file_formats import can_carry, check_solid_suffix
 from insole_core.formats.slicer_3mf import Printer, write_slicer_3mf
 from insole_core.formats.solid_content import SolidPart

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
 from insole_core.resources import resource_path

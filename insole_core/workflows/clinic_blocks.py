@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import keep_unreadable
 from insole_core.json_object import JsonObject
 from insole_core.solids.shop import Block, read_block

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from insole_core.export.atomic import make_output_folder
+from insole_core.files.atomic import make_output_folder
 from insole_core.forgiving_json import keep_unreadable
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import keep_unreadable, set_aside
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.resources import resource_path

@@ -23,7 +23,7 @@ from insole_core.compare.comparison_report import (
 from insole_core.compare.comparison_source import ComparisonSource, read_source
 from insole_core.compare.difference import Difference
 from insole_core.errors import InputError, UsageError
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.foot.measures import measure
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.arrays import ByteArray, FloatArray

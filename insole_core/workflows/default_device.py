@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import remembered
 from insole_core.workflows.clinic_devices import DEFAULT_DEVICE
 

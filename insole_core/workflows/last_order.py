@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, get_args, get_type_hints
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import remembered
 from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.insole.prescription.item_name import key_of

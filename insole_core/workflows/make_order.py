@@ -14,7 +14,7 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
 from insole_core.errors import DesignError, InputError
 from insole_core.export.shop_order import OrderTerms, Release
-from insole_core.export.transaction import Transaction
+from insole_core.files.transaction import Transaction
 from insole_core.formats.file_formats import CHECKS, JOB_SHEET, PROGRAM, can_carry
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side

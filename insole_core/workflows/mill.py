@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.errors import InputError, UsageError
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
 from insole_core.formats.file_formats import PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Generic, Protocol, TypeVar
 
 from insole_core.errors import InputError, OutputError
-from insole_core.export.atomic import make_output_folder, replacing_file
+from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import keep_unreadable
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.messages import Message

@@ -25,10 +25,10 @@ from insole_core.export.shop_order import (
     parse_shop_order,
     write_shop_order,
 )
-from insole_core.export.temporary import make_folder, release, remove
-from insole_core.export.transaction import Transaction
-from insole_core.export.write_errors import output_errors
 from insole_core.file_digest import sha256_of
+from insole_core.files.temporary import make_folder, release, remove
+from insole_core.files.transaction import Transaction
+from insole_core.files.write_errors import output_errors
 from insole_core.formats.file_formats import role_of
 from insole_core.geometry.side import Side
 from insole_core.given_file import given_errors, read_given

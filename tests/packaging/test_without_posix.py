@@ -10,7 +10,7 @@ from bundle import product
 IMPORT_EVERYTHING = """
 import importlib, pkgutil, signal, sys
 
-import insole_core.export.file_lock  # chooses between fcntl and msvcrt by the system
+import insole_core.files.file_lock  # chooses between fcntl and msvcrt by the system
 
 HIDDEN = {"fcntl", "grp", "posix_ipc", "pwd", "readline", "resource", "syslog", "termios", "tty"}
 for name in HIDDEN:

@@ -15,7 +15,7 @@ from typing import Any
 import platformdirs
 
 from insole_core.errors import InputError, OutputError
-from insole_core.export.atomic import (
+from insole_core.files.atomic import (
     copy_into,
     make_output_folder,
     make_private_folder,
@@ -23,8 +23,8 @@ from insole_core.export.atomic import (
     write_private,
     write_text,
 )
-from insole_core.export.transaction import nothing_foreign
-from insole_core.export.write_errors import describe, output_errors
+from insole_core.files.transaction import nothing_foreign
+from insole_core.files.write_errors import describe, output_errors
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import encode_png

@@ -12,8 +12,8 @@ from itertools import chain, count
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_output_folder
-from insole_core.export.file_lock import FileLock
+from insole_core.files.atomic import make_output_folder
+from insole_core.files.file_lock import FileLock
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_status import ViewStatus

@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from insole_core.errors import InputError, OutputError
-from insole_core.export.atomic import make_output_folder, write_text
+from insole_core.files.atomic import make_output_folder, write_text
 from insole_core.json_object import JsonObject
 from insole_studio.acquisition.messages import WARM_UP_S
 

@@ -23,7 +23,7 @@ from typing import TextIO
 from PySide6.QtWidgets import QWidget
 
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import make_output_folder, write_text
+from insole_core.files.atomic import make_output_folder, write_text
 from insole_studio.app.text_dialog import TextDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr

@@ -11,7 +11,7 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
 from insole_core.errors import OutputError
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_studio.app.bootstrap import (

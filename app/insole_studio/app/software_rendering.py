@@ -18,7 +18,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import make_output_folder
+from insole_core.files.atomic import make_output_folder
 from insole_studio.app.graphics import LEAST_OPENGL, Graphics, examine_graphics
 from insole_studio.scene.canvas import has_gl
 from insole_studio.settings import load_settings, peek_settings, save_settings

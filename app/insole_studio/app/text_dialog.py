@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QTextBrowser, QVBoxLayout, QWidget
 
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr

@@ -62,8 +62,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.compare.comparison import compare_surfaces
     from insole_core.compare.comparison_paper import write_report
     from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
-    from insole_core.export.atomic import write_text
-    from insole_core.export.transaction import Transaction
+    from insole_core.files.atomic import write_text
+    from insole_core.files.transaction import Transaction
     from insole_core.formats.ply import write_ply
 
     with Transaction() as outputs:

@@ -36,7 +36,7 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
         When the record or its backups need attention, so that monitoring sees it.
     """
     from insole_core.errors import RecordsError
-    from insole_core.export.atomic import write_text
+    from insole_core.files.atomic import write_text
     from insole_studio.app.doctor import RECORD, Doctor, report_lines
     from insole_studio.user_paths import UserPaths
 

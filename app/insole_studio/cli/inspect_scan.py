@@ -31,8 +31,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Examine the scan, print what it shows, and write the report."""
     if arguments.report is not None and arguments.report.suffix.lower() != ".json":
         raise UsageError(f"--report is {arguments.report}, but the report is written as .json.")
-    from insole_core.export.atomic import write_text
-    from insole_core.export.transaction import Transaction
+    from insole_core.files.atomic import write_text
+    from insole_core.files.transaction import Transaction
     from insole_core.workflows.import_scan import examine_scan
 
     choice = foot_argument.said_of_scan(arguments)

@@ -14,8 +14,8 @@ import traceback
 from pathlib import Path
 
 from insole_core.errors import InsoleError, UsageError
-from insole_core.export.journal import settle_interrupted
-from insole_core.export.temporary import state_folder_of_user
+from insole_core.files.journal import settle_interrupted
+from insole_core.files.temporary import state_folder_of_user
 from insole_core.progress import Progress
 from insole_core.visible_text import VisibleRecord, visible_line
 from insole_studio.cli import (

@@ -44,8 +44,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError(f"--report is {arguments.report}, but the report is written as .json.")
     if arguments.csv is not None and arguments.csv.suffix.lower() != ".csv":
         raise UsageError(f"--csv is {arguments.csv}, but the table is written as .csv.")
-    from insole_core.export.atomic import write_text
-    from insole_core.export.transaction import Transaction
+    from insole_core.files.atomic import write_text
+    from insole_core.files.transaction import Transaction
 
     with Transaction() as outputs:
         report_file = outputs.file(arguments.report)

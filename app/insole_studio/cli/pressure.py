@@ -65,8 +65,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read case and map, align the map, and print its peaks."""
     from insole_core.cases.case_file import read_case, write_case
-    from insole_core.export.atomic import write_text
-    from insole_core.export.transaction import Transaction
+    from insole_core.files.atomic import write_text
+    from insole_core.files.transaction import Transaction
     from insole_core.pressure.read_pressure import read_pressure
     from insole_core.pressure.regions import overloaded_heads, region_peaks
     from insole_core.workflows.foot_landmarks import landmarks_of

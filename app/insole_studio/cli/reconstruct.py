@@ -62,8 +62,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError(f"--out is {arguments.out}, but the foot is written as .ply.")
     start = time.perf_counter()
     # Imported here, so that usage errors are reported at once.
-    from insole_core.export.atomic import write_text
-    from insole_core.export.transaction import Transaction
+    from insole_core.files.atomic import write_text
+    from insole_core.files.transaction import Transaction
     from insole_core.formats.ply import write_ply
     from insole_core.reconstruct import RegistrationLimits
     from insole_core.workflows.make_feet import reconstruct_feet

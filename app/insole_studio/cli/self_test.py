@@ -14,8 +14,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from insole_core.export.transaction import check_file
-from insole_core.export.write_errors import output_errors
+from insole_core.files.transaction import check_file
+from insole_core.files.write_errors import output_errors
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
 

@@ -18,8 +18,8 @@ from pathlib import Path
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import make_output_folder
-from insole_core.export.write_errors import describe
+from insole_core.files.atomic import make_output_folder
+from insole_core.files.write_errors import describe
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest, Session
 from insole_core.records.author import Author

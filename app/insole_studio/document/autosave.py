@@ -19,8 +19,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.stored_mesh import pack_mesh
 from insole_core.errors import InsoleError, OutputError
-from insole_core.export.atomic import make_private_folder, replacing_file
-from insole_core.export.file_lock import FileLock
+from insole_core.files.atomic import make_private_folder, replacing_file
+from insole_core.files.file_lock import FileLock
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Cancelled, Progress

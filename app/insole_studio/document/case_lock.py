@@ -10,7 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QLockFile, QSysInfo
 
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import make_private_folder
+from insole_core.files.atomic import make_private_folder
 
 log = logging.getLogger(__name__)
 

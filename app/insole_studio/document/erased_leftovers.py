@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_output_folder, replacing_file
-from insole_core.export.temporary import is_temporary
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import make_output_folder, replacing_file
+from insole_core.files.temporary import is_temporary
+from insole_core.files.write_errors import output_errors
 from insole_core.forgiving_json import rename_unreadable
 from insole_core.json_object import JsonObject
 from insole_studio.document.journal import Recovered, find_recovered, remove_files

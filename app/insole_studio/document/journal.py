@@ -20,8 +20,8 @@ from types import MappingProxyType
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import InsoleError, OutputError
-from insole_core.export.file_lock import FileLock
-from insole_core.export.temporary import is_temporary
+from insole_core.files.file_lock import FileLock
+from insole_core.files.temporary import is_temporary
 from insole_core.forgiving_json import Complain, rename_unreadable
 from insole_core.geometry.side import Side
 from insole_core.json_object import JsonObject

@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Any
 
 from insole_core.errors import InsoleError, OutputError
-from insole_core.export.atomic import make_private_folder, replacing_file
-from insole_core.export.file_lock import FileLock
-from insole_core.export.temporary import is_temporary
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import make_private_folder, replacing_file
+from insole_core.files.file_lock import FileLock
+from insole_core.files.temporary import is_temporary
+from insole_core.files.write_errors import output_errors
 from insole_core.forgiving_json import rename_unreadable
 from insole_core.json_object import JsonObject
 from insole_studio.document.journal import remove_files

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.export.atomic import write_text
+from insole_core.files.atomic import write_text
 from insole_core.geometry.absolute_orientation import absolute_orientation
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import rotation_angle_deg, transform

@@ -18,7 +18,7 @@ from typing import Final
 from sqlalchemy import Connection, Table, func, select
 
 from insole_core.errors import OutputError, RecordsError
-from insole_core.export.temporary import is_temporary
+from insole_core.files.temporary import is_temporary
 from insole_core.given_file import read_given
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLog, head_of

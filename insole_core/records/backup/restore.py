@@ -21,11 +21,11 @@ from sqlalchemy import Connection, Table, and_, func, select
 from sqlalchemy.exc import SQLAlchemyError
 
 from insole_core.errors import InsoleError, RecordsError
-from insole_core.export.atomic import make_output_folder, replacing_file
-from insole_core.export.file_mode import PRIVATE_FILE
-from insole_core.export.sync import sync
-from insole_core.export.temporary import make_file, release, remove
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import make_output_folder, replacing_file
+from insole_core.files.file_mode import PRIVATE_FILE
+from insole_core.files.sync import sync
+from insole_core.files.temporary import make_file, release, remove
+from insole_core.files.write_errors import output_errors
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLog, AuditReport, head_of, verify_chain

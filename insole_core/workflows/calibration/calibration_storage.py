@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from insole_core.export.transaction import Transaction
+from insole_core.files.transaction import Transaction
 from insole_core.regular_file import read_regular
 from insole_core.sensing.calibration_record import CalibrationRecord
 from insole_core.strict_json import MOST_BYTES

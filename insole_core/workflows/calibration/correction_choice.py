@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from insole_core.errors import InputError
-from insole_core.export.atomic import make_output_folder, write_text
+from insole_core.files.atomic import make_output_folder, write_text
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, joined
 from insole_core.recording.session import Session

@@ -8,8 +8,8 @@ from datetime import date
 from pathlib import Path
 from typing import Literal
 
-from insole_core.export.atomic import make_output_folder, replacing_file
-from insole_core.export.transaction import Transaction
+from insole_core.files.atomic import make_output_folder, replacing_file
+from insole_core.files.transaction import Transaction
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.images import encode_png
 from insole_core.recording.session import View

@@ -10,8 +10,8 @@ from pathlib import Path
 from insole_core.errors import UsageError
 from insole_core.evaluation.report import Report, ReportSection
 from insole_core.evaluation.report_files import WRITERS
-from insole_core.export.temporary import is_unfinished
-from insole_core.export.transaction import Transaction
+from insole_core.files.temporary import is_unfinished
+from insole_core.files.transaction import Transaction
 from insole_core.messages import joined
 
 

@@ -11,8 +11,8 @@ from pathlib import Path
 import platformdirs
 
 from insole_core.errors import CalibrationError, InputError, UsageError
-from insole_core.export.atomic import copy_into, make_output_folder
-from insole_core.export.transaction import Transaction, nothing_foreign
+from insole_core.files.atomic import copy_into, make_output_folder
+from insole_core.files.transaction import Transaction, nothing_foreign
 from insole_core.recording.sensor_folder import (
     CORRECTION_FILE,
     SENSOR_FILE,

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from insole_core.export.atomic import write_private
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import write_private
+from insole_core.files.write_errors import output_errors
 from insole_core.records.records import Records
 from insole_core.zip_archive import ZipArchive
 

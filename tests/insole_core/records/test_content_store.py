@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from insole_core.errors import InputError, OutputError, RecordsError, Unreachable
-from insole_core.export import sync
+from insole_core.files import sync
 from insole_core.progress import Progress
 from insole_core.records.content_store import (
     GRACE_S,

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from insole_core.errors import InputError
-from insole_core.export.file_lock import FileLock
+from insole_core.files.file_lock import FileLock
 from insole_core.recording.reader import read_session
 from insole_studio.acquisition.draft import is_abandoned
 from insole_studio.acquisition.plan_request import PlanRequest

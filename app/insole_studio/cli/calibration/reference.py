@@ -94,7 +94,7 @@ def _survey(system: ReferenceSystem, arguments: argparse.Namespace, progress: Pr
     from insole_core.calibration.markers.reference_file import save_reference_system
     from insole_core.evaluation.calibration_sections import survey_section
     from insole_core.evaluation.report import section_lines
-    from insole_core.export.transaction import Transaction
+    from insole_core.files.transaction import Transaction
     from insole_core.workflows.calibration.marker_views import read_marker_views
     from insole_core.workflows.calibration.report_files import make_report, write_reports
 

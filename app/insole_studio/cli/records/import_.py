@@ -69,8 +69,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Import, or tell what an import would do."""
-    from insole_core.export.atomic import write_text
     from insole_core.export.csv_text import csv_text
+    from insole_core.files.atomic import write_text
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.WRITE) as records:

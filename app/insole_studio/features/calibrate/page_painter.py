@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from insole_core.calibration.boards.printed_page import RULER_MM, PrintedPage
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_studio.texts import tr, translate_core_message
 
 _DPI = 1200

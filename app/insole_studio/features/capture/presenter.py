@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from insole_core.errors import InsoleError, UsageError
-from insole_core.export.atomic import make_output_folder
+from insole_core.files.atomic import make_output_folder
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.messages import Message, joined

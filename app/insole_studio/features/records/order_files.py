@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from insole_core.errors import OutputError
-from insole_core.export.atomic import make_output_folder, make_private_folder
-from insole_core.export.write_errors import output_errors
+from insole_core.files.atomic import make_output_folder, make_private_folder
+from insole_core.files.write_errors import output_errors
 from insole_core.messages import joined
 from insole_core.records.order import Order
 from insole_core.visible_text import visible_line

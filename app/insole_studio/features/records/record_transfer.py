@@ -10,8 +10,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.errors import InsoleError
-from insole_core.export.atomic import write_text
 from insole_core.export.csv_text import csv_text
+from insole_core.files.atomic import write_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
 from insole_core.records.character_sets import Reading

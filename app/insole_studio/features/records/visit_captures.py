@@ -97,7 +97,7 @@ class VisitCaptures(QObject):
         folder = self._services.paths.fetched_folder
 
         def copy(records: Records) -> Path:
-            from insole_core.export.atomic import make_private_folder
+            from insole_core.files.atomic import make_private_folder
 
             make_private_folder(folder)
             return records.captures.copy_to(capture, folder)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtGui import QGuiApplication
 
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.foot.measure_table import table_csv
 from insole_studio.document.case import Case
 from insole_studio.features.design.patient.measure_texts import table_of

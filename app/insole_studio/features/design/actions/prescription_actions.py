@@ -9,7 +9,7 @@ from pathlib import Path
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InputError
-from insole_core.export.atomic import replacing_file
+from insole_core.files.atomic import replacing_file
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side

@@ -17,8 +17,8 @@ from pathlib import Path
 
 import platformdirs
 
-from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
-from insole_core.export.processes import runs, started, this_computer
+from insole_core.files.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
+from insole_core.files.processes import runs, started, this_computer
 
 log = logging.getLogger(__name__)
 

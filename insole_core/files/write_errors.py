@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from insole_core.errors import OutputError
-from insole_core.export.temporary import named_path
+from insole_core.files.temporary import named_path
 from insole_core.messages import Message
 
 FULL = (errno.ENOSPC, errno.EDQUOT)

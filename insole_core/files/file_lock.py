@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 from types import TracebackType
 
-from insole_core.export.write_errors import output_errors
+from insole_core.files.write_errors import output_errors
 
 try:
     import fcntl

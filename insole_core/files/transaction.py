@@ -16,14 +16,14 @@ from types import TracebackType
 from typing import Self, TypeAlias
 
 from insole_core.errors import InputError, InsoleError, OutputError, UsageError
-from insole_core.export.file_mode import take_mode
-from insole_core.export.journal import (
+from insole_core.files.file_mode import take_mode
+from insole_core.files.journal import (
     Journal,
     Move,
     settle_interrupted,
 )
-from insole_core.export.sync import sync_tree
-from insole_core.export.temporary import (
+from insole_core.files.sync import sync_tree
+from insole_core.files.temporary import (
     is_unfinished,
     make_file,
     make_folder,
@@ -34,7 +34,7 @@ from insole_core.export.temporary import (
     state_folder_of_user,
     sweep,
 )
-from insole_core.export.write_errors import FULL, describe, output_errors
+from insole_core.files.write_errors import FULL, describe, output_errors
 
 log = logging.getLogger(__name__)
 

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from insole_core.errors import OutputError
-from insole_core.export.file_lock import FileLock
+from insole_core.files.file_lock import FileLock
 from tests.patience import PATIENCE_S
 
 HOLD = """
 import sys
 from pathlib import Path
-from insole_core.export.file_lock import FileLock
+from insole_core.files.file_lock import FileLock
 print(FileLock(Path(sys.argv[1])).acquire(), flush=True)
 sys.stdin.readline()
 """
@@ -65,7 +65,7 @@ def test_a_file_that_its_holder_removed_is_made_anew(
     first, second, third = FileLock(path), FileLock(path), FileLock(path)
     assert first.acquire()
     monkeypatch.setattr(
-        "insole_core.export.file_lock._try_lock", lambda _handle: (first.release(), undo())
+        "insole_core.files.file_lock._try_lock", lambda _handle: (first.release(), undo())
     )
     undo = monkeypatch.undo
     assert second.acquire()

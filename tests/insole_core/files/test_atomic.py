@@ -14,15 +14,15 @@ from pathlib import Path
 import pytest
 
 from insole_core.errors import OutputError
-from insole_core.export.atomic import (
+from insole_core.files.atomic import (
     make_private_folder,
     replacing_file,
     replacing_folder,
     write_private,
     write_text,
 )
-from insole_core.export.transaction import nothing_foreign
-from insole_core.export.write_errors import describe
+from insole_core.files.transaction import nothing_foreign
+from insole_core.files.write_errors import describe
 
 
 def test_file_takes_its_place_at_the_end(tmp_path: Path) -> None:

@@ -17,9 +17,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from insole_core.export.journal import settle_interrupted
-from insole_core.export.temporary import state_folder_of_user
-from insole_core.export.transaction import Transaction, nothing_foreign
+from insole_core.files.journal import settle_interrupted
+from insole_core.files.temporary import state_folder_of_user
+from insole_core.files.transaction import Transaction, nothing_foreign
 
 STEPS = ("replace", "rename", "link", "unlink", "rmdir", "fsync")
 

@@ -20,9 +20,9 @@ from itertools import count
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
-from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
-from insole_core.export.sync import sync
-from insole_core.export.temporary import (
+from insole_core.files.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
+from insole_core.files.sync import sync
+from insole_core.files.temporary import (
     NOTE_SUFFIX,
     is_left,
     make_file,

@@ -13,10 +13,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from insole_core.errors import OutputError
-from insole_core.export.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
-from insole_core.export.temporary import is_temporary, is_unfinished, make_folder, release, remove
-from insole_core.export.transaction import FindForeign, Transaction, any_file
-from insole_core.export.write_errors import describe, output_errors
+from insole_core.files.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
+from insole_core.files.temporary import is_temporary, is_unfinished, make_folder, release, remove
+from insole_core.files.transaction import FindForeign, Transaction, any_file
+from insole_core.files.write_errors import describe, output_errors
 from insole_core.regular_file import open_regular
 
 __all__ = [

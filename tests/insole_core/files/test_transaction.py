@@ -20,12 +20,12 @@ import killed_transaction
 import pytest
 
 from insole_core.errors import InputError, OutputError, UsageError
-from insole_core.export import journal, processes, temporary
-from insole_core.export.atomic import copy_into, replacing_file, replacing_folder, write_text
-from insole_core.export.journal import settle_interrupted
-from insole_core.export.processes import started, this_computer
-from insole_core.export.temporary import state_folder_of_user
-from insole_core.export.transaction import Transaction, nothing_foreign
+from insole_core.files import journal, processes, temporary
+from insole_core.files.atomic import copy_into, replacing_file, replacing_folder, write_text
+from insole_core.files.journal import settle_interrupted
+from insole_core.files.processes import started, this_computer
+from insole_core.files.temporary import state_folder_of_user
+from insole_core.files.transaction import Transaction, nothing_foreign
 
 OLD = {
     "insole.stl": "old",
@@ -676,7 +676,7 @@ def test_what_is_known_to_be_of_a_dead_process_goes_at_once(
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from insole_core.export.atomic import replacing_file, replacing_folder, scratch_folder
+from insole_core.files.atomic import replacing_file, replacing_folder, scratch_folder
 replacing = {"file": replacing_file, "folder": replacing_folder, "parts": scratch_folder}
 with replacing[sys.argv[1]](Path(sys.argv[2])) as beside:
     assert beside.exists()
