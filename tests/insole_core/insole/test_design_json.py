@@ -5,9 +5,9 @@ from __future__ import annotations
 import copy
 import json
 from dataclasses import MISSING, fields, replace
-from pathlib import Path
 from typing import Any
 
+import design_schema
 import jsonschema
 import pytest
 from hypothesis import given, settings
@@ -31,9 +31,7 @@ from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 
-SCHEMA = json.loads(
-    (Path(__file__).parents[3] / "docs" / "formats" / "design.schema.json").read_text("utf-8")
-)
+SCHEMA = json.loads(design_schema.SCHEMA.read_text("utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 CONTRACT: dict[str, Any] = {
     "format": "insole-design", "version": 1, "side": "left",
@@ -218,6 +216,17 @@ def test_every_design_comes_back_and_obeys_the_schema(design):
     content = json.loads(json.dumps(design_to_json(design)))
     VALIDATOR.validate(content)
     assert design_from_json(content) == design
+
+
+def test_the_schema_says_what_the_classes_declare() -> None:
+    written = design_schema.written(design_schema.with_declared(SCHEMA)) + "\n"
+    assert written == design_schema.SCHEMA.read_text("utf-8"), "run docs/design_schema.py"
+
+
+def test_a_new_correction_is_described_by_what_it_declares() -> None:
+    known = {name: part for name, part in SCHEMA["$defs"].items() if name != "arch_raise"}
+    described = design_schema.with_declared({**SCHEMA, "$defs": known})
+    assert described["$defs"]["arch_raise"] == SCHEMA["$defs"]["arch_raise"]
 
 
 DESCRIBED = [

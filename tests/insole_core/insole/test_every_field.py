@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Any
 
+import design_schema
 import jsonschema
 import pytest
 from varied_designs import DRAWN, FROM_FOOT, OTHERS, varied
@@ -16,8 +16,8 @@ from insole_core.insole.prescription.design_differences import design_difference
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
 from insole_core.insole.prescription.mirroring import mirrored
 
-SCHEMA = Path(__file__).parents[3] / "docs" / "formats" / "design.schema.json"
-VALIDATOR = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text("utf-8")))
+SCHEMA = json.loads(design_schema.SCHEMA.read_text("utf-8"))
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 VARIED = [
     pytest.param(design, name, part, other, id=f"{design.outline.source} {kind.__name__}.{name}")
     for design in (FROM_FOOT, OTHERS, DRAWN)
