@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction
-from insole_core.insole.fields import Spot
+from insole_core.insole.fields import Part, Spot, declared
 from insole_core.insole.pads.pad_places import SIZED_BY_FOOT
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.pad_library import LibraryPad
@@ -44,6 +44,11 @@ def capitalised(word: str) -> str:
     """Return a word of the core in the language of the window, as it stands alone."""
     text = translate_core_message(word)
     return text[:1].upper() + text[1:]
+
+
+def label_of(kind: type[Part], name: str) -> str:
+    """Return what a value of a part of the prescription is called."""
+    return translate_core_message(declared(kind)[name].label)
 
 
 def place_text(side: Side, x_mm: float, y_mm: float) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
 from insole_core.insole.fields import Range, ranges_of
+from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.materials import (
@@ -22,7 +23,7 @@ from insole_core.insole.prescription.rim_sliders import (
     with_medial_flange,
 )
 from insole_core.insole.prescription.shell import Post, Shell
-from insole_studio.features.design.correction_names import capitalised, device_name
+from insole_studio.features.design.correction_names import capitalised, device_name, label_of
 from insole_studio.features.design.parameters.correction_fields import field_specs, with_value
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.texts import localised, tr, translate_core_message
@@ -67,7 +68,7 @@ SLIDERS: dict[str, _Slider] = {
         ranges_of(RimStation)["height_mm"],
     ),
     "fill": _Slider(
-        lambda: tr("Arch fill"),
+        lambda: label_of(Finish, "arch_fill_mm"),
         lambda: tr("How far the medial arch is lowered below the scan"),
         lambda finish: finish.arch_fill_mm,
         lambda finish, value: replace(finish, arch_fill_mm=value),
@@ -121,7 +122,7 @@ def _base_fields(design: InsoleDesign) -> Fields:
         form=translate_core_message(design.base.form.name)
     )
     share = 100 * design.base.contact_share
-    label = tr("Share of the foot")
+    label = label_of(BaseForm, "contact_share")
     return (
         FieldSpec(
             "base.contact_share", label, "%", share, 0.0, 100.0, step=5.0, tip=tip, slider=True
@@ -163,7 +164,7 @@ def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
     allowed = ranges_of(Shell)["body_weight_kg"]
     weight = FieldSpec(
         "shell.body_weight_kg",
-        tr("Body weight"),
+        label_of(Shell, "body_weight_kg"),
         "kg",
         shell.body_weight_kg or 0.0,
         0.0,
@@ -179,7 +180,7 @@ def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
     materials = tuple((name, capitalised(name)) for name in names)
     material = ChoiceSpec(
         "shell.material",
-        tr("Material"),
+        label_of(Shell, "material"),
         shell.material,
         materials,
         tr("From which, with the weight, a thickness is proposed"),
