@@ -474,7 +474,8 @@ def walk_day(walk: Walk, _session: Path) -> None:
     walk.see("new-patient")
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     walk.until(lambda: app.window.page is app.features.records.person)
-    walk.see("patient", LIVE_MS)
+    wait_for(app.services.clinic.jobs)
+    walk.see("patient")
     hand.choose("new_visit")
     walk.until(lambda: app.case.kept is not None)
     walk.see("visit")
@@ -531,7 +532,8 @@ def see_order(walk: Walk) -> None:
     app.window.activateWindow()
     walk.studio.settle()
     hand.choose("orders")
-    walk.see("orders", LIVE_MS)
+    wait_for(app.services.clinic.jobs)
+    walk.see("orders")
 
 
 def shown(kind: type[Window]) -> Window:

@@ -57,7 +57,8 @@ PATIENT_PX, PATIENT_SHARE, WIDEST_PATIENT_PX = 248, 0.19, 400
 FOOT_SHARE = 0.46
 MOST_OF_PATIENT = 0.34
 """Largest share of the width that the patient panel keeps in a narrow window."""
-PARAMETERS_PX = 152
+PARAMETERS_PX, MOST_OF_PARAMETERS = 152, 0.22
+"""Height of the parameters, and the share of a low window that they take at most."""
 SECTION_SHARE, RIM_SHARE = 0.34, 0.5
 """Shares of the width that section and rim take from the parameters."""
 LEAST_CHART_PX = 300
@@ -251,7 +252,8 @@ class MainWindow(QMainWindow):
         self._patient_px, self._foot_share = patient, FOOT_SHARE
         foot = round(FOOT_SHARE * (self.width() - patient))
         self.resizeDocks([self._patient, self._foot], [patient, foot], horizontal)
-        self.resizeDocks([self._parameters], [PARAMETERS_PX], vertical)
+        parameters = min(PARAMETERS_PX, round(MOST_OF_PARAMETERS * self.height()))
+        self.resizeDocks([self._parameters], [parameters], vertical)
         section = round(SECTION_SHARE * self.width())
         self.resizeDocks(
             [self._parameters, self._section], [self.width() - section, section], horizontal

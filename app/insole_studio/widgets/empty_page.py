@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+
+from insole_studio.widgets.flow import FlowRow
 
 
 class EmptyPage(QWidget):
@@ -17,14 +19,13 @@ class EmptyPage(QWidget):
         self._sentence = QLabel()
         self._sentence.setWordWrap(True)
         self._sentence.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._offers = QHBoxLayout()
-        self._offers.setSpacing(8)
+        self._offers = FlowRow(is_centred=True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(24, 24, 24, 24)
         layout.addStretch(1)
         layout.addWidget(self._sentence)
         layout.addSpacing(8)
-        layout.addLayout(self._offers)
+        layout.addWidget(self._offers)
         layout.addSpacing(16)
         layout.addStretch(2)
 
@@ -39,18 +40,14 @@ class EmptyPage(QWidget):
             Button texts by key; the first is the default.
         """
         self._sentence.setText(sentence)
-        while (item := self._offers.takeAt(0)) is not None:
-            if (widget := item.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
-        self._offers.addStretch()
+        buttons = []
         for number, (key, text) in enumerate(offers.items()):
             button = QPushButton(text)
             button.setDefault(number == 0)
             button.setProperty("offer", key)
             button.clicked.connect(self._choose)
-            self._offers.addWidget(button)
-        self._offers.addStretch()
+            buttons.append(button)
+        self._offers.show_parts(buttons)
 
     def _choose(self) -> None:
         self.chosen.emit(self.sender().property("offer"))

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QMargins, QRect, QSize
+from collections.abc import Iterable
+
+from PySide6.QtCore import QMargins, QPoint, QRect, QSize
 from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
 
 
 class FlowLayout(QLayout):
-    """Lays items out like text: left to right, then down; too wide an item gets its own line."""
+    """Lays items out like text: left to right, then down; too wide an item gets its own line.
 
-    def __init__(self, parent: QWidget, margin_px: int, gap_px: int) -> None:
+    Parameters
+    ----------
+    is_centred
+        Whether each line stands in the middle; by default at the left.
+    """
+
+    def __init__(
+        self, parent: QWidget, margin_px: int, gap_px: int, *, is_centred: bool = False
+    ) -> None:
         super().__init__(parent)
         self._items: list[QLayoutItem] = []
         self._gap_px = gap_px
+        self._is_centred = is_centred
         self.setContentsMargins(QMargins(margin_px, margin_px, margin_px, margin_px))
 
     def addItem(self, item: QLayoutItem) -> None:
@@ -57,18 +68,51 @@ class FlowLayout(QLayout):
 
     def _flow(self, rect: QRect, place: bool) -> int:
         margins = self.contentsMargins()
-        x, y, line_height = rect.left() + margins.left(), rect.top() + margins.top(), 0
-        right = rect.left() + rect.width() - margins.right()
+        inner = rect.marginsRemoved(margins)
+        y, lines = inner.top(), self._lines(inner.width())
+        for line in lines:
+            used_px = sum(size.width() for _, size in line) + self._gap_px * (len(line) - 1)
+            x = inner.left() + ((inner.width() - used_px) // 2 if self._is_centred else 0)
+            for item, size in line:
+                if place:
+                    item.setGeometry(QRect(QPoint(x, y), size))
+                x += size.width() + self._gap_px
+            y += max(size.height() for _, size in line) + self._gap_px
+        return y - (self._gap_px if lines else 0) + margins.bottom() - rect.top()
+
+    def _lines(self, width_px: int) -> list[list[tuple[QLayoutItem, QSize]]]:
+        """Return the items of each line, with their sizes."""
+        lines: list[list[tuple[QLayoutItem, QSize]]] = []
+        x = 0
         for item in self._items:
-            left = rect.left() + margins.left()
-            width, height = item.sizeHint().toTuple()
-            if line_height and x + width > right:
-                x, y, line_height = left, y + line_height + self._gap_px, 0
-            if width > right - left:
-                width = right - left
-                height = item.heightForWidth(width) if item.hasHeightForWidth() else height
-            if place:
-                item.setGeometry(QRect(x, y, width, height))
-            x += width + self._gap_px
-            line_height = max(line_height, height)
-        return y + line_height + margins.bottom() - rect.top()
+            if item.isEmpty():  # hidden
+                continue
+            size = item.sizeHint()
+            if size.width() > width_px:
+                wraps = item.hasHeightForWidth()
+                height = item.heightForWidth(width_px) if wraps else size.height()
+                size = QSize(width_px, height)
+            if not lines or x + size.width() > width_px:
+                lines.append([])
+                x = 0
+            lines[-1].append((item, size))
+            x += size.width() + self._gap_px
+        return lines
+
+
+class FlowRow(QWidget):
+    """A row of widgets that wraps where there is no room for all of them."""
+
+    def __init__(self, *parts: QWidget, gap_px: int = 8, is_centred: bool = False) -> None:
+        super().__init__()
+        self._layout = FlowLayout(self, 0, gap_px, is_centred=is_centred)
+        self.show_parts(parts)
+
+    def show_parts(self, parts: Iterable[QWidget]) -> None:
+        """Show widgets in place of those before, which go."""
+        while (item := self._layout.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        for part in parts:
+            self._layout.addWidget(part)

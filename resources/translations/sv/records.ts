@@ -641,7 +641,7 @@
         </message>
         <message>
             <source>The files of order {number} are copied from the record; choose where to</source>
-            <translation>Filerna i beställning {number} kopieras från registret; välj vart</translation>
+            <translation>Filerna i beställning {number} kopieras från journalen; välj vart</translation>
         </message>
         <message>
             <source>The first version of this foot.</source>
@@ -821,11 +821,11 @@
         </message>
         <message>
             <source>{order} is in the record, with its files.</source>
-            <translation>{order} finns i registret med sina filer.</translation>
+            <translation>{order} finns i journalen med sina filer.</translation>
         </message>
         <message>
             <source>{order} is in the record, with its files; it is due {day}.</source>
-            <translation>{order} finns i registret med sina filer; den väntas {day}.</translation>
+            <translation>{order} finns i journalen med sina filer; den väntas {day}.</translation>
         </message>
     </context>
 </TS>

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from hands import MANUAL_SIZE, Hands
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -11,6 +12,8 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QLabel,
     QProgressBar,
+    QPushButton,
+    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -25,12 +28,16 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.jobs import JobProgress
 from insole_studio.scene.view_camera import Subject
 from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 SMALLEST = (683, 456)
 """A screen of 1366 × 768 at 200 % is as wide, one of 1366 × 768 at 150 % less its frame as high."""
+
+LAPTOP = (911, 490)
+"""A screen of 1366 × 768 at 150 %, less the frame."""
 
 
 def test_the_window_can_be_as_small_as_a_small_screen(clinic: Application) -> None:
@@ -41,6 +48,49 @@ def test_the_window_can_be_as_small_as_a_small_screen(clinic: Application) -> No
     assert fits(), "the page of patients"
     clinic.features.records.show_orders()
     assert fits(), "the page of orders"
+
+
+def test_every_page_of_the_record_is_whole_across_a_laptop_at_150_percent(
+    clinic: Application, qtbot: QtBot
+) -> None:
+    clinic.window.resize(*LAPTOP)
+    records = clinic.features.records
+    clinic.window.actions_by_key["sample_patient"].trigger()
+    qtbot.waitUntil(lambda: records.person is not None and records.person.isVisible())
+    for show in (lambda: None, records.show_start, records.show_orders):
+        show()
+        QApplication.processEvents()
+        page = clinic.window.page
+        assert page is not None
+        scrolled = page.parentWidget().parentWidget()
+        assert isinstance(scrolled, QScrollArea)
+        assert scrolled.horizontalScrollBar().maximum() == 0, type(page).__name__
+        buttons = [b for b in page.findChildren(QPushButton) if b.isVisible()]
+        assert all(b.width() >= b.sizeHint().width() for b in buttons), type(page).__name__
+
+
+def test_the_parameters_take_a_share_of_a_low_window(hands: Hands) -> None:
+    window = hands.app.window
+    docks = {dock.objectName(): dock for dock in window.findChildren(QDockWidget)}
+    assert window.height() < MANUAL_SIZE[1]
+    assert docks["dock-parameters"].height() <= 0.23 * window.height()
+
+
+def test_the_offers_of_an_empty_view_are_whole_in_a_narrow_one(qtbot: QtBot) -> None:
+    page = EmptyPage()
+    qtbot.addWidget(page)
+    page.resize(230, 240)
+    page.show_offers("No scan yet.", {n: f"Open number {n}…" for n in "123"})
+    page.show()
+    QApplication.processEvents()
+    buttons = page.findChildren(QPushButton)
+    assert len(buttons) == 3
+    for button in buttons:
+        assert button.width() >= button.sizeHint().width()
+        assert button.height() >= button.sizeHint().height()
+        assert page.rect().contains(button.geometry().translated(button.parentWidget().pos()))
+    tops = {button.y() for button in buttons}
+    assert len(tops) == 3
 
 
 def test_neither_panels_nor_long_sentences_widen_the_window(

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Signal, SignalInstance
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from insole_core.records.order import MOST_DAYS_UNTIL_DUE, OrderState
 from insole_studio.features.records.order_rows import state_text
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.flow import FlowRow
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -130,11 +131,8 @@ class OrdersPage(QWidget):
         top.addWidget(self._days_label)
         top.addWidget(self.days)
         bottom = QHBoxLayout()
-        bottom.setSpacing(8)
-        for part in self._of_chosen:
-            bottom.addWidget(part)
-        bottom.addStretch(1)
-        bottom.addWidget(self._count)
+        bottom.addWidget(FlowRow(*self._of_chosen), 1)
+        bottom.addWidget(self._count, 0, Qt.AlignmentFlag.AlignTop)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(24, 16, 24, 16)
         layout.setSpacing(16)

@@ -27,6 +27,7 @@ from insole_studio.features.records.visit_card import VisitCard
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.flow import FlowRow
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.notes_field import NotesField
 from insole_studio.widgets.typed_text import forget_typed, show_unless_typing
@@ -173,13 +174,15 @@ class PersonPage(QWidget):
         top.setSpacing(8)
         top.addWidget(self._button("patients", tr("Patients")))
         top.addWidget(self._name, 1)
-        top.addWidget(self._button("follow_up", tr("Follow-up…")))
-        top.addWidget(self._button("person_orders", tr("Orders")))
-        top.addWidget(self._button("export_patient", tr("Export…")))
-        top.addWidget(self._compare)
         top.addWidget(self._button("new_visit_same", tr("New visit, same prescription")))
         top.addWidget(self._button("new_visit", tr("New visit")))
         self._buttons["new_visit"].setObjectName("primary")
+        more = FlowRow(
+            self._button("follow_up", tr("Follow-up…")),
+            self._button("person_orders", tr("Orders")),
+            self._button("export_patient", tr("Export…")),
+            self._compare,
+        )
         visits = VerticalScroll()
         content = QWidget()
         inside = QVBoxLayout(content)
@@ -190,7 +193,10 @@ class PersonPage(QWidget):
         lower = QHBoxLayout()
         lower.setSpacing(24)
         lower.addWidget(left, 0, Qt.AlignmentFlag.AlignTop)
-        lower.addWidget(visits, 1)
+        right = QVBoxLayout()
+        right.addWidget(more)
+        right.addWidget(visits, 1)
+        lower.addLayout(right, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(24, 16, 24, 16)
         layout.setSpacing(16)

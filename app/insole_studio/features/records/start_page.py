@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.flow import FlowRow
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
@@ -77,7 +78,7 @@ class StartPage(QWidget):
         self.put_off = QPushButton(tr("Remind me in a week"))
         self.put_off.clicked.connect(self.reminder_put_off)
         self._files: dict[str, QPushButton] = {}
-        self._recent_row = QHBoxLayout()
+        self._recent_row = FlowRow()
         self._of_record = QWidget()
         self._lay_out()
 
@@ -137,10 +138,7 @@ class StartPage(QWidget):
 
     def show_recent_files(self, files: Sequence[tuple[str, str]]) -> None:
         """Offer the files opened last, each as path and name."""
-        while (item := self._recent_row.takeAt(0)) is not None:
-            if (widget := item.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
+        buttons = []
         for path, name in files:
             button = QPushButton(name.replace("&", "&&"))
             button.setObjectName("row")
@@ -148,8 +146,8 @@ class StartPage(QWidget):
             button.setToolTip(path)
             button.setProperty("path", path)
             button.clicked.connect(self._choose_file)
-            self._recent_row.addWidget(button)
-        self._recent_row.addStretch(1)
+            buttons.append(button)
+        self._recent_row.show_parts(buttons)
 
     def begin(self) -> None:
         """Empty the search line and give it the focus."""
@@ -207,16 +205,14 @@ class StartPage(QWidget):
         layout.setContentsMargins(20, 16, 20, 16)
         layout.setSpacing(8)
         layout.addWidget(self.message)
-        layout.addLayout(self._remedy_row())
+        layout.addWidget(self._remedy_row())
         layout.addLayout(self._reminder_row())
         layout.addWidget(self._of_record, 1)
         layout.addWidget(_heading(tr("Without a patient, or from files")))
-        layout.addLayout(self._file_row())
-        layout.addLayout(self._recent_row)
+        layout.addWidget(self._file_row())
+        layout.addWidget(self._recent_row)
 
-    def _remedy_row(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setSpacing(8)
+    def _remedy_row(self) -> FlowRow:
         for action, text in (
             ("lock", tr("Sign in…")),
             ("accounts", tr("Accounts…")),
@@ -227,9 +223,7 @@ class StartPage(QWidget):
         ):
             self.remedies[action] = button = self._button("", text, action)
             button.hide()
-            row.addWidget(button)
-        row.addStretch(1)
-        return row
+        return FlowRow(*self.remedies.values())
 
     def _reminder_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -240,9 +234,7 @@ class StartPage(QWidget):
             row.addWidget(button)
         return row
 
-    def _file_row(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setSpacing(4)
+    def _file_row(self) -> FlowRow:
         for key, text, action in (
             ("capture", tr("Capture…"), "capture"),
             ("open", tr("Open case…"), "open"),
@@ -251,11 +243,12 @@ class StartPage(QWidget):
             ("device", tr("Open the example"), "open_example"),
         ):
             self._files[key] = self._button(key, text, action)
-            row.addWidget(self._files[key])
-        row.addStretch(1)
-        row.addWidget(self._button("", tr("Calibrate sensors…"), "calibrate"))
-        row.addWidget(self._button("", tr("Restore from a backup…"), "restore_record"))
-        return row
+        return FlowRow(
+            *self._files.values(),
+            self._button("", tr("Calibrate sensors…"), "calibrate"),
+            self._button("", tr("Restore from a backup…"), "restore_record"),
+            gap_px=4,
+        )
 
     def _button(self, icon_name: str, text: str, action: str) -> QPushButton:
         button = QPushButton(text)
