@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from datetime import date
+from typing import Annotated
 
+from insole_core.records.marks import EMPTIED, WHEN
 from insole_core.records.person import new_id
+from insole_core.records.record_field import Day, Line, Lines
 
 
 @dataclass(frozen=True)
@@ -21,9 +24,9 @@ class FollowUp:
     """
 
     person_id: str
-    on_date: date
-    outcome: str
-    notes: str = ""
+    on_date: Annotated[date, Day("date of the follow-up", WHEN, label="Day", is_needed=True)]
+    outcome: Annotated[str, Line("outcome", EMPTIED, label="Outcome", is_needed=True)]
+    notes: Annotated[str, Lines("notes", EMPTIED, label="Notes")] = ""
     order_id: str | None = None
     visit_id: str | None = None
     id: str = field(default_factory=new_id)

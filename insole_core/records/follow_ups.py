@@ -9,9 +9,9 @@ from typing import Final
 from sqlalchemy import insert, select
 
 from insole_core.records.context import RecordsContext
-from insole_core.records.field_checks import check_day, check_name, check_text
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.person_rows import locked_person
+from insole_core.records.record_field import check_fields
 from insole_core.records.rights import Right
 from insole_core.records.schema import follow_ups
 from insole_core.records.times import utc_now
@@ -35,14 +35,8 @@ class FollowUps:
         RecordsError
             When its person is gone.
         """
-        check_day(follow_up.on_date, "date of the follow-up", date.today())
-        follow_up = replace(
-            follow_up,
-            outcome=check_name(follow_up.outcome, "outcome"),
-            notes=check_text(follow_up.notes, "notes"),
-            author=self._context.author.name,
-            created_at=utc_now(),
-        )
+        checked = check_fields(follow_up, date.today())
+        follow_up = replace(checked, author=self._context.author.name, created_at=utc_now())
         with self._context.writing(Right.WRITE, follow_up.person_id) as connection:
             locked_person(connection, follow_up.person_id)
             connection.execute(insert(follow_ups).values(vars(follow_up)))

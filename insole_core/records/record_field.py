@@ -1,8 +1,8 @@
 """A field of the record, declared once on the value that holds it.
 
-`Person`, `Visit` and `Order` say in the annotation of a field what it is called, what it may hold,
-and what an erasure and a merge do to it. Column, checks, forms, conflicts, erasure, merging,
-import, export and papers follow; nothing else lists the fields.
+`Person`, `Visit`, `Order` and `FollowUp` say in the annotation of a field what it is called, what
+it may hold, and what an erasure and a merge do to it. Column, checks, forms, conflicts, erasure,
+merging, import, export and papers follow; nothing else lists the fields.
 """
 
 from __future__ import annotations

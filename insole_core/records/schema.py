@@ -33,6 +33,7 @@ from sqlalchemy.types import TypeEngine
 
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.checked_values import check_values
+from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import (
     BOOKKEEPING,
     CONTENT,
@@ -313,9 +314,7 @@ follow_ups = Table(
     Column("person_id", Text, ForeignKey("persons.id"), nullable=False, index=True, info=KEY),
     Column("order_id", Text, ForeignKey("orders.id"), index=True, info=KEY),
     Column("visit_id", Text, ForeignKey("visits.id"), index=True, info=KEY),
-    Column("on_date", Date, nullable=False, info=WHEN),
-    _text("outcome", EMPTIED),
-    _text("notes", EMPTIED),
+    *_declared(FollowUp),
     Column("author", Text, nullable=False, info=STAFF),
     Column("created_at", Text, nullable=False, info=WHEN),
 )

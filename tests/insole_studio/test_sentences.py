@@ -34,6 +34,7 @@ from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
+from insole_core.records.follow_up import FollowUp
 from insole_core.records.order import Order
 from insole_core.records.person import Person
 from insole_core.records.record_field import fields_of, typed_fields
@@ -310,7 +311,7 @@ def test_every_word_of_a_prescription_has_a_swedish_one() -> None:
 
 
 def test_every_field_of_the_record_has_swedish_words() -> None:
-    kinds = (Person, Visit, Order)
+    kinds = (Person, Visit, Order, FollowUp)
     words = {field.noun for kind in kinds for field in fields_of(kind).values()}
     words |= {field.label for kind in kinds for field in typed_fields(kind).values()}
     assert words - CATALOGUE.keys() == set()

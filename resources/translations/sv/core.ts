@@ -1900,6 +1900,10 @@
             <translation>Beställningar</translation>
         </message>
         <message>
+            <source>Outcome</source>
+            <translation>Resultat</translation>
+        </message>
+        <message>
             <source>Outline</source>
             <translation>Kontur</translation>
         </message>
@@ -4925,7 +4929,7 @@
         </message>
         <message>
             <source>date of the follow-up</source>
-            <translation>Uppföljningens datum</translation>
+            <translation>uppföljningens datum</translation>
         </message>
         <message>
             <source>date of the visit</source>
@@ -6469,7 +6473,7 @@
         </message>
         <message>
             <source>outcome</source>
-            <translation>Resultatet</translation>
+            <translation>resultat</translation>
         </message>
         <message>
             <source>outer edge of the foot</source>

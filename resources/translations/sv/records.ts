@@ -460,10 +460,6 @@
             <translation>Andra varianter</translation>
         </message>
         <message>
-            <source>Outcome</source>
-            <translation>Resultat</translation>
-        </message>
-        <message>
             <source>Patient, order or shop</source>
             <translation>Patient, beställning eller verkstad</translation>
         </message>

@@ -16,6 +16,8 @@ from PySide6.QtWidgets import (
 
 from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.follow_up import FollowUp
+from insole_core.records.record_field import typed_fields
+from insole_studio.features.records.record_form import label_of
 from insole_studio.texts import tr
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.notes_field import NotesField
@@ -34,8 +36,8 @@ class FollowUpDialog(QDialog):
         self.setWindowTitle(tr("Follow-up"))
         self.resize(*_SIZE)
         self._person_id = person_id
-        headings = (tr("Day"), tr("Outcome"), tr("Notes"), tr("By"))
-        self.table = RowTable(headings, stretched=2)
+        day, outcome, notes = (label_of(FollowUp, name) for name in typed_fields(FollowUp))
+        self.table = RowTable((day, outcome, notes, tr("By")), stretched=2)
         self.table.setAccessibleName(tr("Follow-ups so far"))
         self.table.show_rows([_row(follow_up) for follow_up in before])
         self.outcome = QLineEdit()
@@ -52,8 +54,8 @@ class FollowUpDialog(QDialog):
         self.outcome.textChanged.connect(self._allow)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow(tr("Outcome"), self.outcome)
-        form.addRow(tr("Notes"), self.notes)
+        form.addRow(outcome, self.outcome)
+        form.addRow(notes, self.notes)
         mark_labels(form)
         layout = QVBoxLayout(self)
         layout.setSpacing(12)

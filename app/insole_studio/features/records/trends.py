@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from insole_core.geometry.side import Side
 from insole_core.records.visit import Visit
+from insole_studio.features.records.record_form import label_of
 from insole_studio.features.records.rows import Trend
 from insole_studio.texts import tr
 
@@ -21,7 +22,9 @@ def trends_of(visits: Sequence[Visit]) -> list[Trend]:
             if name is not None:
                 found.setdefault((name, side), []).append((day, value))
         if visit.weight_kg is not None:
-            found.setdefault((tr("Weight (kg)"), None), []).append((day, visit.weight_kg))
+            found.setdefault((label_of(Visit, "weight_kg"), None), []).append(
+                (day, visit.weight_kg)
+            )
     return [
         Trend(name, tuple(day for day, _ in points), tuple(value for _, value in points), side)
         for (name, side), points in found.items()

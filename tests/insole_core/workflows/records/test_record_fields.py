@@ -17,6 +17,8 @@ from insole_core.errors import InputError
 from insole_core.evaluation.report import section_lines
 from insole_core.records import schema
 from insole_core.records.author import Author
+from insole_core.records.capture import CaptureFacts
+from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import Erased, Merged
 from insole_core.records.open import open_records
 from insole_core.records.order import Order
@@ -117,7 +119,7 @@ def words_of(records: Records, person: Person, *, is_pseudonymous: bool = False)
     return "\n".join([data, *(line for section in sections for line in section_lines(section))])
 
 
-@pytest.mark.parametrize("kind", [Person, Visit, Order])
+@pytest.mark.parametrize("kind", [Person, Visit, Order, FollowUp])
 def test_no_two_fields_are_called_the_same(kind: type) -> None:
     fields = fields_of(kind).values()
     labels = [field.label for field in typed_fields(kind).values()]
@@ -207,8 +209,11 @@ def test_the_schema_of_the_export_knows_every_field(records: Records, person: Pe
     forms = json.loads(SCHEMA.read_text(encoding="utf-8"))
     data = person_json(read_dossier(records, person.id), {}, (), ())
     jsonschema.validate(data, forms)
-    for kind in (Person, Visit, Order):
-        known = forms["$defs"][kind.__name__.lower()]["properties"]
+    for kind, form in (
+        (Person, "person"), (Visit, "visit"), (Order, "order"), (FollowUp, "follow_up"),
+        (CaptureFacts, "capture"),
+    ):  # fmt: skip
+        known = forms["$defs"][form]["properties"]
         assert fields_of(kind).keys() - known.keys() == set()
 
 
