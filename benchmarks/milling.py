@@ -22,10 +22,12 @@ from insole_core.milling.gcode import gcode
 from insole_core.milling.machine import Machine, read_machine
 from insole_core.milling.plan import MillingPlan, plan_milling
 from insole_core.milling.sides import turned_over
+from insole_core.milling.tool_path import Motion
 from insole_core.resources import resource_path
 from insole_core.solids.nesting import closest_nest
 from insole_core.solids.simplification import simplify
 from insole_core.solids.solid import make_solid
+from tests.insole_core.milling.engagement import moves_of
 from tests.insole_core.milling.judgement import (
     edge_round,
     judge,
@@ -47,7 +49,10 @@ def main() -> None:
     machine = read_machine(resource_path("milling/linuxcnc.json"))
     first, last = map(int, os.environ.get("INSOLE_BENCHMARK_SEEDS", "1:999").split(":"))
     failed: list[int] = []
-    print("seed  sides   gouge  surplus (99.99 %)  beside   rapid  tabs  interpreter  CPU s")
+    print(
+        "seed  sides   gouge  surplus (99.99 %)  beside   rapid  tabs  fast falls  too deep"
+        "  deepest  interpreter  CPU s"
+    )
     done, seed = 0, first - 1
     while done < DESIGNS and seed < last:
         seed += 1
@@ -101,11 +106,15 @@ class _Result:
     beside_mm: float
     rapid_mm: float
     tabs: int
+    fast_falls: int
+    too_deep: int
+    deepest_mm: float
 
     def __str__(self) -> str:
         return (
             f"{self.gouge_mm:>8.3f}{self.surplus_mm:>9.3f}{self.usual_mm:>10.3f}"
             f"{self.beside_mm:>8.3f}{self.rapid_mm:>8.3f}{self.tabs:>6}"
+            f"{self.fast_falls:>12}{self.too_deep:>10}{self.deepest_mm:>9.1f}"
         )
 
     def is_within(self, tabs: int) -> bool:
@@ -115,6 +124,8 @@ class _Result:
             and max(self.usual_mm, self.beside_mm) <= SURPLUS_MM
             and self.rapid_mm <= 0.01
             and self.tabs >= LEAST_TABS * tabs
+            and not self.fast_falls
+            and not self.too_deep
         )
 
 
@@ -138,7 +149,22 @@ def _judged(plan: MillingPlan, both: bool) -> _Result:
         max(each.beside_mm for each in found),
         removal.rapid_cuts_mm,
         tabs_that_hold(removal, inside, machine.contour.cutter.diameter_mm),
+        *_engaged(plan),
     )
+
+
+def _engaged(plan: MillingPlan) -> tuple[int, int, float]:
+    """Count falls at cutting feed, and roughing moves deeper than a step; give the deepest."""
+    fast, deep, deepest = 0, 0, 0.0
+    step_mm = plan.machine.roughing.step_down_mm + 0.1
+    for moves in moves_of(plan):
+        cuts = moves.motion != Motion.RAPID
+        at_feed = moves.motion == Motion.FEED
+        fast += int((moves.falls & at_feed & (moves.depth_mm > 1)).sum())
+        if moves.operation.name == "roughing":
+            deep += int((cuts & (moves.depth_mm > step_mm)).sum())
+        deepest = max(deepest, float(moves.depth_mm[cuts].max()))
+    return fast, deep, deepest
 
 
 def _joined(solids: Sequence[TriangleMesh]) -> TriangleMesh:

@@ -15,7 +15,13 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.machine import Machine
 from insole_core.milling.surface import Surface
 from insole_core.milling.tabs import Tabs
-from insole_core.milling.tool_path import Operation, PathWriter, SideName, without_collinear
+from insole_core.milling.tool_path import (
+    RAMP,
+    Operation,
+    PathWriter,
+    SideName,
+    without_collinear,
+)
 
 _ARC_PIECES = 64
 """Of a circle; its chords leave an arc of 3 mm by less than twice `_CHORD_MM`."""
@@ -259,13 +265,13 @@ def _require_free(
 def _bore(
     place: tuple[float, float], radius_mm: float, height_mm: float, step_down_mm: float
 ) -> FloatArray:
-    """Return a path (n, 3) that bores a hole in circles, each a little deeper."""
-    turns = int(np.ceil(height_mm / step_down_mm))
-    angle = np.linspace(0, 2 * np.pi, 33)
+    """Return a path (n, 3) that bores a hole in a helix, and a circle at its bottom.
+
+    A hole as wide as the cutter is bored straight down.
+    """
+    fall_mm = min(step_down_mm, RAMP * 2 * np.pi * radius_mm) or height_mm
+    turns = int(np.ceil(height_mm / fall_mm))
+    angle = np.linspace(0, 2 * np.pi * (turns + 1), 32 * (turns + 1) + 1)
     circle = np.array(place) + radius_mm * np.column_stack([np.cos(angle), np.sin(angle)])
-    return np.concatenate(
-        [
-            np.column_stack([circle, np.full(33, height_mm * (1 - turn / turns))])
-            for turn in range(1, turns + 1)
-        ]
-    )
+    sunk_mm = np.minimum(angle / (2 * np.pi * turns), 1) * height_mm
+    return np.column_stack([circle, height_mm - sunk_mm])

@@ -1,4 +1,4 @@
-"""Roughing level by level, and finishing, in lines along the block's length."""
+"""Lines along the block's length, and finishing in them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.milling.added_lines import added_lines
-from insole_core.milling.drop_cutter import finishing_heights, tip_heights
+from insole_core.milling.drop_cutter import finishing_heights
 from insole_core.milling.machine import Cutter, Machine
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (
@@ -18,7 +18,6 @@ from insole_core.milling.tool_path import (
     needed_nodes,
     without_collinear,
 )
-from insole_core.progress import SILENT, Progress
 
 _CLOSE_MM = 0.003
 """By which straight pieces may leave a finishing path."""
@@ -29,13 +28,12 @@ _CLEARANCE_MM = 1.0
 _LINK_LINES = 1
 _LINK_MM = 12.0
 """Longest way between two pieces that is quicker beside the surface than above the block."""
-_LEAST_CUT_MM = 0.05
 _GONE = 10**6
 """Node of pieces that have been followed, far from all."""
 
 
 @dataclass(frozen=True, eq=False)
-class _Run:
+class Run:
     """A piece of a line of a raster: its index, and its first and last node."""
 
     line: int
@@ -44,7 +42,7 @@ class _Run:
 
 
 @dataclass(frozen=True, eq=False)
-class _Raster:
+class Raster:
     """Tips of a cutter along lines; the nodes where it may be, and those that are needed."""
 
     surface: Surface
@@ -52,7 +50,7 @@ class _Raster:
     lines: IntArray
     tips_mm: FloatArray
 
-    def points(self, run: _Run, heights_mm: FloatArray, needed: BoolArray) -> FloatArray:
+    def points(self, run: Run, heights_mm: FloatArray, needed: BoolArray) -> FloatArray:
         """Return the points (n, 3) of a run, along y."""
         nodes = run.start + np.flatnonzero(needed[run.line, run.start : run.end + 1])
         points = np.empty((len(nodes), 3))
@@ -71,47 +69,6 @@ class _Raster:
         return float(highest + between)
 
 
-def roughing(
-    surface: Surface,
-    machine: Machine,
-    block_height_mm: float,
-    side: SideName,
-    *,
-    reach_mm: float,
-    progress: Progress = SILENT,
-) -> Operation | None:
-    """Clear the block above the surface, and round the solids.
-
-    Parameters
-    ----------
-    reach_mm
-        Round the solids, in which the cutter's axis moves.
-
-    Returns
-    -------
-    Operation or None
-        None when there is nothing to clear.
-    """
-    how = machine.roughing
-    lines = _lines(surface, how.step_over_mm)
-    tips = tip_heights(surface, how.cutter, lines, how.allowance_mm)
-    raster = _Raster(surface, how.cutter, lines, tips)
-    allowed = surface.beside_mm[lines] <= reach_mm
-    writer = PathWriter(block_height_mm + machine.safe_height_mm)
-    lowest = float(tips[allowed].min())
-    count = max(int(np.ceil((block_height_mm - lowest) / how.step_down_mm)), 1)
-    for number, step in enumerate(progress.parts(count), 1):
-        step.step(0.0, "Roughing, level {level} of {levels}", level=number, levels=count)
-        above = block_height_mm - (number - 1) * how.step_down_mm
-        heights = np.maximum(tips, above - how.step_down_mm)
-        active = allowed & (tips < above - _LEAST_CUT_MM)
-        _follow(
-            raster, heights, active, writer,
-            close_mm=how.allowance_mm / 10, clear_mm=above + _CLEARANCE_MM,
-        )  # fmt: skip
-    return None if writer.is_empty else writer.operation("roughing", side, how.cutter)
-
-
 def finishing(
     surface: Surface, machine: Machine, block_height_mm: float, side: SideName
 ) -> Operation:
@@ -121,27 +78,27 @@ def finishing(
     or on a slope across them), pieces of lines are added between them.
     """
     how = machine.finishing
-    lines = _lines(surface, how.step_over_mm)
+    lines = raster_lines(surface, how.step_over_mm)
     tips = np.minimum(finishing_heights(surface, how.cutter), block_height_mm)
     allowed = surface.beside_mm <= how.cutter.radius_mm * OVER_RIM
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
-    raster = _Raster(surface, how.cutter, lines, tips[lines])
-    _follow(raster, tips[lines], allowed[lines], writer, close_mm=_CLOSE_MM, clear_mm=None)
+    raster = Raster(surface, how.cutter, lines, tips[lines])
+    _follow(raster, tips[lines], allowed[lines], writer)
     added = added_lines(surface, tips, how) & allowed
-    whole = _Raster(surface, how.cutter, np.arange(len(tips)), tips)
+    whole = Raster(surface, how.cutter, np.arange(len(tips)), tips)
     _follow_pieces(whole, added, allowed, writer)
     return writer.operation("finishing", side, how.cutter)
 
 
 def _follow_pieces(
-    raster: _Raster, added: BoolArray, allowed: BoolArray, writer: PathWriter
+    raster: Raster, added: BoolArray, allowed: BoolArray, writer: PathWriter
 ) -> None:
     """Write pieces of lines, after the whole lines, always the nearest one next.
 
     From one to the next the cutter stays above all tips of the rectangle that both span, where the
     lines have been.
     """
-    runs = _runs(added)
+    runs = runs_of(added)
     if not runs:
         return
     tips, step = raster.tips_mm, raster.surface.step_mm
@@ -188,28 +145,25 @@ def _link(
     return float(tips[spanned].max()) + _CLOSE_MM if allowed[spanned].all() else None
 
 
-def _lines(surface: Surface, step_over_mm: float) -> IntArray:
+def raster_lines(surface: Surface, step_over_mm: float) -> IntArray:
     """Return the lines of the grid that a raster takes, at most the step-over apart."""
     every = max(int(step_over_mm / surface.step_mm + 1e-9), 1)
     return np.arange(0, len(surface.x_mm), every)
 
 
 def _follow(
-    raster: _Raster,
+    raster: Raster,
     heights_mm: FloatArray,
     active: BoolArray,
     writer: PathWriter,
-    *,
-    close_mm: float,
-    clear_mm: float | None,
 ) -> None:
     """Write all runs, to and fro where the next one begins beside the last one's end."""
-    needed = needed_nodes(heights_mm, active, close_mm)
-    waiting = _runs(active)
+    needed = needed_nodes(heights_mm, active, _CLOSE_MM)
+    waiting = runs_of(active)
     while waiting:
         run, forward = waiting.pop(0), True
         points = raster.points(run, heights_mm, needed)
-        writer.start(points, clear_mm)
+        writer.start(points)
         while (found := _next(raster, waiting, run, forward, active)) is not None:
             here = run.end if forward else run.start
             waiting.remove(found)
@@ -224,8 +178,8 @@ def _follow(
 
 
 def _next(
-    raster: _Raster, waiting: list[_Run], run: _Run, forward: bool, active: BoolArray
-) -> _Run | None:
+    raster: Raster, waiting: list[Run], run: Run, forward: bool, active: BoolArray
+) -> Run | None:
     """Return the run on the next line that can be reached without leaving the active nodes."""
     here = run.end if forward else run.start
     for other in waiting:
@@ -240,11 +194,11 @@ def _next(
     return None
 
 
-def _runs(active: BoolArray) -> list[_Run]:
+def runs_of(active: BoolArray) -> list[Run]:
     """Return the pieces of consecutive active nodes, line by line."""
     edges = np.diff(np.pad(active.astype(np.int8), ((0, 0), (1, 1))), axis=1)
     start, end = np.argwhere(edges == 1), np.argwhere(edges == -1)
     return [
-        _Run(int(line), int(first), int(last) - 1)
+        Run(int(line), int(first), int(last) - 1)
         for (line, first), last in zip(start, end[:, 1], strict=True)
     ]

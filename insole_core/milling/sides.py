@@ -12,7 +12,8 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.contours import Loop, contour, contour_loops, outermost
 from insole_core.milling.edges import EDGE_STEP_MM, ways_along_edge
 from insole_core.milling.machine import FlipAxis, Machine
-from insole_core.milling.rasters import OVER_RIM, finishing, roughing
+from insole_core.milling.rasters import OVER_RIM, finishing
+from insole_core.milling.roughing import roughing
 from insole_core.milling.surface import Surface, sample_surface
 from insole_core.milling.tabs import (
     OFF_EDGE_MM,

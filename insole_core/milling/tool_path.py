@@ -15,6 +15,10 @@ from insole_core.milling.motion_time import motion_minutes
 OperationName: TypeAlias = Literal["dowels", "roughing", "finishing", "contour"]
 _STRAIGHT = 1e-9
 """One minus the cosine between pieces of a straight line."""
+RAMP = 0.5
+"""Fall per way, 27 degrees, at which a cutter goes into what is solid."""
+_STEEP = 3.0
+"""Fall per way, 72 degrees, from which a cutter plunges."""
 SideName: TypeAlias = Literal["foot side", "underside"]
 
 
@@ -115,9 +119,15 @@ class PathWriter:
         self._add(up[None], Motion.RAPID)
 
     def _add(self, points_mm: FloatArray, motion: Motion) -> None:
+        kinds = np.full(len(points_mm), int(motion))
+        if motion is Motion.FEED:
+            way = np.diff(np.concatenate([self._points[-1][-1:], points_mm]), axis=0)
+            kinds[-way[:, 2] > _STEEP * np.hypot(way[:, 0], way[:, 1])] = Motion.PLUNGE
+            moves = way.any(axis=1)
+            points_mm, kinds = points_mm[moves], kinds[moves]
         if len(points_mm):
             self._points.append(np.array(points_mm, float))
-            self._motion.append(np.full(len(points_mm), int(motion)))
+            self._motion.append(kinds)
 
     def operation(self, name: OperationName, side: SideName, cutter: Cutter) -> Operation:
         """Return what was written, ending above the block."""

@@ -1,0 +1,214 @@
+"""Clearing of the block level by level: ramps into what is solid, never more than a step deep."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.milling.drop_cutter import tip_heights
+from insole_core.milling.machine import Machine
+from insole_core.milling.rasters import Raster, Run, raster_lines, runs_of
+from insole_core.milling.surface import Surface
+from insole_core.milling.tool_path import (
+    RAMP,
+    Operation,
+    PathWriter,
+    SideName,
+    needed_nodes,
+    without_collinear,
+)
+from insole_core.progress import SILENT, Progress
+
+_CLEARANCE_MM = 1.0
+"""Above material that is known to be gone, down to which a rapid move goes."""
+_LEAST_CUT_MM = 0.05
+_LINK_MM = 12.0
+"""Longest way back on a line that is quicker than above the block."""
+_SHORTEST_RAMP_MM = 2.0
+"""A run that is shorter is entered from above."""
+_SAME_MM = 1e-6
+_MOST_TO_AND_FRO = 8
+_BACK, _FORTH = slice(None, None, -1), slice(None)
+
+
+def roughing(
+    surface: Surface,
+    machine: Machine,
+    block_height_mm: float,
+    side: SideName,
+    *,
+    reach_mm: float,
+    progress: Progress = SILENT,
+) -> Operation | None:
+    """Clear the block above the surface, and round the solids.
+
+    Parameters
+    ----------
+    reach_mm
+        Round the solids, in which the cutter's axis moves.
+
+    Returns
+    -------
+    Operation or None
+        None when there is nothing to clear.
+    """
+    how = machine.roughing
+    lines = raster_lines(surface, how.step_over_mm)
+    tips = tip_heights(surface, how.cutter, lines, how.allowance_mm)
+    raster = Raster(surface, how.cutter, lines, tips)
+    allowed = surface.beside_mm[lines] <= reach_mm
+    writer = PathWriter(block_height_mm + machine.safe_height_mm)
+    lowest = float(tips[allowed].min())
+    count = max(int(np.ceil((block_height_mm - lowest) / how.step_down_mm)), 1)
+    for number, step in enumerate(progress.parts(count), 1):
+        step.step(0.0, "Roughing, level {level} of {levels}", level=number, levels=count)
+        above = block_height_mm - (number - 1) * how.step_down_mm
+        heights = np.maximum(tips, above - how.step_down_mm)
+        active = allowed & (tips < above - _LEAST_CUT_MM)
+        _Level(raster, heights, active, above, how.allowance_mm / 10).write(writer)
+    return None if writer.is_empty else writer.operation("roughing", side, how.cutter)
+
+
+class _Level:
+    """One level of the block, which is free above `above_mm` where it is active."""
+
+    def __init__(
+        self,
+        raster: Raster,
+        heights_mm: FloatArray,
+        active: BoolArray,
+        above_mm: float,
+        close_mm: float,
+    ) -> None:
+        self._raster = raster
+        self._heights_mm = heights_mm
+        self._above_mm = above_mm
+        self._needed = needed_nodes(heights_mm, active, close_mm)
+        self._waiting = runs_of(active)
+        step_mm, radius_mm = raster.surface.step_mm, raster.cutter.radius_mm
+        self._link_nodes = int(_LINK_MM / step_mm)
+        self._shortest = int(np.ceil(_SHORTEST_RAMP_MM / step_mm))
+        spacing_mm = float(np.diff(raster.lines).max(initial=1)) * step_mm
+        inset_mm = radius_mm - np.sqrt(max(radius_mm**2 - (spacing_mm / 2) ** 2, 0.0))
+        # Nodes before the ends of two lines, where what lies between is in reach of both.
+        self._inset = int(np.ceil(inset_mm / step_mm)) + 1
+
+    def write(self, writer: PathWriter) -> None:
+        """Write all runs, to and fro where the next one lies beside the last one."""
+        while self._waiting:
+            run, forward = self._waiting.pop(0), True
+            way = self._ramped(run.line, _ordered(run.start, run.end), self._above_mm)
+            writer.start(way, self._above_mm + _CLEARANCE_MM)
+            while (found := self._beside(run, forward)) is not None:
+                other, node = found
+                self._waiting.remove(other)
+                writer.go_on(self._crossing(run, other, node, forward))
+                run, forward = other, not forward
+
+    def _beside(self, run: Run, forward: bool) -> tuple[Run, int] | None:
+        """Return the run of the next line that begins near here, and the node to cross at."""
+        here = run.end if forward else run.start
+        for other in self._waiting:
+            if other.line > run.line + 1:
+                return None
+            low = max(run.start, other.start) + self._inset
+            high = min(run.end, other.end) - self._inset
+            node = high if forward else low
+            if other.line == run.line + 1 and low <= high and abs(here - node) <= self._link_nodes:
+                return other, node
+        return None
+
+    def _crossing(self, run: Run, other: Run, node: int, forward: bool) -> FloatArray:
+        """Return the way back to a node, across, out to the end of the other run, and along it.
+
+        Across beyond the end of a line the cutter would meet what no level above has cleared.
+        """
+        here, there = (run.end, other.end) if forward else (run.start, other.start)
+        far = other.start if forward else other.end
+        nodes = _ordered(here, node)
+        back = self._way(run.line, nodes, self._heights_mm[run.line, nodes])
+        across_mm = max(
+            self._raster.link_height(run.line, other.line, (node - 1, node + 1)),
+            back[-1, 2],
+            self._heights_mm[other.line, node],
+        )
+        across = np.stack([back[-1], self._points(other.line, np.array([node]))[0]])
+        across[:, 2] = across_mm
+        out = self._ramped(other.line, _ordered(node, there), across_mm)
+        whole = self._ramped(other.line, _ordered(there, far), float(out[-1, 2]))
+        return np.concatenate([back, across, out, whole])
+
+    def _points(self, line: int, nodes: IntArray) -> FloatArray:
+        """Return the points (n, 3) at nodes of a line, on the level."""
+        surface = self._raster.surface
+        x_mm = np.full(len(nodes), surface.x_mm[self._raster.lines[line]])
+        return np.column_stack([x_mm, surface.y_mm[nodes], self._heights_mm[line, nodes]])
+
+    def _way(self, line: int, nodes: IntArray, heights_mm: FloatArray) -> FloatArray:
+        """Return those points (n, 3) of a way along nodes, on the level or above, that it needs."""
+        points = self._points(line, nodes)
+        is_above = heights_mm > points[:, 2] + _SAME_MM
+        points[:, 2] = heights_mm
+        changes = is_above[1:] != is_above[:-1]
+        kept = self._needed[line, nodes]
+        kept[1:] |= changes
+        kept[:-1] |= changes
+        kept[[0, -1]] = True
+        return without_collinear(points[kept])
+
+    def _ramped(self, line: int, nodes: IntArray, from_mm: float) -> FloatArray:
+        """Return a way (n, 3) along nodes that sinks to the level no steeper than the ramp.
+
+        Where it stays above the level, it goes back and forth there until it has sunk.
+        """
+        level = self._heights_mm[line, nodes]
+        if len(nodes) <= self._shortest:
+            return self._way(line, nodes, level)
+        sunk = self._sinking(level, from_mm)
+        pieces, begin = [], 0
+        for first, last in _stretches(sunk > level + _LEAST_CUT_MM):
+            pieces.append(self._way(line, nodes[begin : last + 1], sunk[begin : last + 1]))
+            stretch = slice(max(min(first, last - self._shortest), 0), last + 1)
+            pieces += self._to_and_fro(line, nodes[stretch], level[stretch], float(sunk[last]))
+            begin = last + 1
+        if begin < len(nodes):
+            pieces.append(self._way(line, nodes[begin:], sunk[begin:]))
+        return np.concatenate(pieces)
+
+    def _to_and_fro(
+        self, line: int, nodes: IntArray, level_mm: FloatArray, height_mm: float
+    ) -> list[FloatArray]:
+        """Return the ways from the last of the nodes back and forth, down to the level there.
+
+        In a slot that is too narrow for ramps the last of them plunges.
+        """
+        pieces: list[FloatArray] = []
+        reached = np.full(len(nodes), np.inf)
+        for _ in range(_MOST_TO_AND_FRO):
+            for way in (_BACK, _FORTH):
+                sunk = self._sinking(level_mm[way], height_mm)
+                pieces.append(self._way(line, nodes[way], sunk))
+                reached[way] = np.minimum(reached[way], sunk)
+                height_mm = float(sunk[-1])
+            if (reached <= level_mm + _LEAST_CUT_MM).all():
+                return pieces
+        return [*pieces, *(self._way(line, nodes[way], level_mm[way]) for way in (_BACK, _FORTH))]
+
+    def _sinking(self, level_mm: FloatArray, from_mm: float) -> FloatArray:
+        """Return the heights (n,) of a way from a height down to the level, along the ramp."""
+        fallen_mm = RAMP * self._raster.surface.step_mm * np.arange(len(level_mm))
+        lifted = level_mm + fallen_mm
+        lifted[0] = max(lifted[0], from_mm)
+        return np.asarray(np.maximum.accumulate(lifted) - fallen_mm)
+
+
+def _stretches(mask: BoolArray) -> list[tuple[int, int]]:
+    """Return the first node of each stretch of a mask (n,), and the one behind its last, if any."""
+    edges = np.diff(np.pad(mask.astype(np.int8), 1))
+    ends = np.minimum(np.flatnonzero(edges == -1), len(mask) - 1)
+    return list(zip(np.flatnonzero(edges == 1).tolist(), ends.tolist(), strict=True))
+
+
+def _ordered(first: int, last: int) -> IntArray:
+    """Return the nodes from one to another, both included."""
+    return np.arange(first, last + 1) if last >= first else np.arange(first, last - 1, -1)

@@ -1,0 +1,105 @@
+"""How deep every move of a plan cuts: the block as a height field, from which moves take away."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from insole_core.milling.plan import MillingPlan
+from insole_core.milling.tool_path import Operation
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
+_PITCH_MM, _SAMPLE_MM, _SAMPLES = 0.5, 0.25, 20_000
+
+
+@dataclass(frozen=True, eq=False)
+class Moves:
+    """The moves (n,) of an operation: what each takes away at its deepest, and where it goes."""
+
+    operation: Operation
+    depth_mm: FloatArray
+    way_mm: FloatArray
+
+    @property
+    def motion(self) -> IntArray:
+        return self.operation.motion[1:]
+
+    @property
+    def falls(self) -> npt.NDArray[np.bool_]:
+        """Whether a move goes down by more than 1 mm, steeper than 3 in 1."""
+        return (self.way_mm[:, 2] < -1) & (
+            -self.way_mm[:, 2] > 3 * np.hypot(self.way_mm[:, 0], self.way_mm[:, 1])
+        )
+
+
+def moves_of(plan: MillingPlan) -> list[Moves]:
+    left: dict[str, FloatArray] = {}
+    found = []
+    for operation in plan.operations:
+        counts = [round(size / _PITCH_MM) for size in plan.block_mm[:2]]
+        heights = left.setdefault(operation.side, np.full(counts, plan.block_mm[2]))
+        found.append(_cut(operation, heights))
+    return found
+
+
+def _cut(operation: Operation, heights_mm: FloatArray) -> Moves:
+    way = np.diff(operation.points_mm, axis=0)
+    counts = np.maximum(np.ceil(np.linalg.norm(way, axis=1) / _SAMPLE_MM).astype(int), 1)
+    move = np.repeat(np.arange(len(way)), counts)
+    share = (np.arange(len(move)) - np.repeat(np.cumsum(counts) - counts, counts) + 1) / counts[
+        move
+    ]
+    samples = operation.points_mm[move] + way[move] * share[:, None]
+    depth = np.zeros(len(way))
+    for part in _whole_moves(move):
+        _take(operation, heights_mm, samples[part], move[part], depth)
+    return Moves(operation, depth, way)
+
+
+def _whole_moves(move: IntArray) -> Iterator[slice]:
+    begin = 0
+    while begin < len(move):
+        last = move[min(begin + _SAMPLES, len(move)) - 1]
+        end = int(np.searchsorted(move, last, "right"))
+        yield slice(begin, end)
+        begin = end
+
+
+def _take(
+    operation: Operation,
+    heights_mm: FloatArray,
+    samples: FloatArray,
+    move: IntArray,
+    depth_mm: FloatArray,
+) -> None:
+    """Lower the heights (nx, ny), and note the greatest depth of each move."""
+    radius, reach = operation.cutter.radius_mm, int(operation.cutter.radius_mm / _PITCH_MM) + 1
+    i, j = np.mgrid[-reach : reach + 1, -reach : reach + 1]
+    x, y = (np.floor(samples[:, axis] / _PITCH_MM).astype(int) for axis in (0, 1))
+    a, b = x[:, None, None] + i, y[:, None, None] + j
+    distance2 = ((a + 0.5) * _PITCH_MM - samples[:, 0, None, None]) ** 2
+    distance2 += ((b + 0.5) * _PITCH_MM - samples[:, 1, None, None]) ** 2
+    hit = (distance2 <= radius**2) & (a >= 0) & (b >= 0)
+    hit &= (a < heights_mm.shape[0]) & (b < heights_mm.shape[1])
+    above = 0.0
+    if operation.cutter.shape == "ball":
+        above = radius - np.sqrt(np.maximum(radius**2 - distance2, 0))
+    low = np.broadcast_to(samples[:, 2, None, None] + above, hit.shape)[hit]
+    pixel, of = (a * heights_mm.shape[1] + b)[hit], np.broadcast_to(move[:, None, None], hit.shape)
+    of = of[hit]
+    order = np.lexsort((low, of, pixel))
+    pixel, low, of = pixel[order], low[order], of[order]
+    lowest = np.append(True, (pixel[1:] != pixel[:-1]) | (of[1:] != of[:-1]))
+    pixel, low, of = pixel[lowest], low[lowest], of[lowest]
+    first = np.append(True, pixel[1:] != pixel[:-1])
+    block = np.cumsum(first) * 1e4  # keeps the minimum within one pixel
+    running = np.minimum.accumulate(low - block) + block
+    flat = heights_mm.ravel()
+    before = np.where(first, np.inf, np.append(np.inf, running[:-1]))
+    np.maximum.at(depth_mm, of, np.minimum(before, flat[pixel]) - low)
+    ends = np.append(first[1:], True)
+    flat[pixel[ends]] = np.minimum(flat[pixel[ends]], running[ends])
