@@ -16,7 +16,6 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, base_key, contact_base, values_but
 from insole_core.insole.surface.followed_base import coarse_base
 from insole_core.insole.surface.pads_on_surface import Window, added_corrections
-from insole_core.insole.surface.rocker import rockers
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.prism import Prism
@@ -226,7 +225,7 @@ def _bare(memo: Memo, foot: Foot, design: InsoleDesign, progress: Progress) -> B
 def bare_key(foot: Foot, design: InsoleDesign) -> BareKey:
     """Return everything that the bare insole of a foot and design depends on, as a hashable key."""
     body = values_but(design, _READ_IN_PART | {"device"})
-    return foot, base_key(design), design.taken_off_mm, rockers(design), body
+    return foot, base_key(design), design.taken_off_mm, design.of_stage("body"), body
 
 
 def without_added(design: InsoleDesign) -> InsoleDesign:

@@ -37,7 +37,6 @@ _DERIVED: dict[str, str] = {
     "forefoot": "Forefoot post",
 }
 """What values are called that are no fields with a name of their own."""
-_PARTS = ("outline", "layers", "finish", "shell")
 _DECIMALS = 2
 _LEVELS = {
     "heel": "{heights} mm",
@@ -68,7 +67,8 @@ def design_differences(old: InsoleDesign, new: InsoleDesign) -> tuple[Message, .
         designs.
     """
     before, after = _values(old), _values(new)
-    keys = [*before, *(key for key in after if key not in before)]
+    of_either = replace(new, finish=new.finish or old.finish, shell=new.shell or old.shell)
+    keys = dict.fromkeys((*_values(of_either), *before))  # in one order, whichever lacks a part
     return (
         *(
             Message(
@@ -146,7 +146,7 @@ def _wording(key: str, told: _Told | None) -> Message:
     """Return a value in words, with its unit; None is that of a part that a design lacks."""
     value, found = (None, None) if told is None else (told.value, told.found)
     if value is None:
-        return _absent(key, found)
+        return _absent(key)
     if value in ((), ""):
         return _NONE
     if isinstance(found, Line):
@@ -158,13 +158,10 @@ def _wording(key: str, told: _Told | None) -> Message:
     return _rim(value) if isinstance(value, tuple) else _part(value)
 
 
-def _absent(key: str, found: Declared | None) -> Message:
+def _absent(key: str) -> Message:
     if key == "base":
         return Message("from the foot")
-    of_finish = declared(Finish).get(key)
-    if key in _OF_RIM or of_finish is not None:
-        return _SCANNED
-    return _NONE
+    return _SCANNED if key in _OF_RIM or key in declared(Finish) else _NONE
 
 
 def _part(part: BaseForm | Post | Shoe) -> Message:

@@ -143,3 +143,12 @@ def test_lines_can_be_translated():
     assert isinstance(line, Message)
     assert line.template == "{what}: {before} → {after}"
     assert line.values["what"] == "Thickness"
+
+
+def test_lines_have_one_order_whichever_design_lacks_a_part():
+    without, whole = replace(PLAIN, shell=Shell()), replace(PLAIN, finish=FINISH, shell=Shell())
+    thick = replace(whole, shell=Shell(chamfer_mm=1.0))
+    there = [str(line).split(":")[0] for line in design_differences(without, thick)]
+    back = [str(line).split(":")[0] for line in design_differences(thick, without)]
+    assert there == back
+    assert there[-1] == "Chamfer"
