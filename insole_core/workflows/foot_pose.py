@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -12,10 +11,9 @@ from insole_core.foot.alignment import PoseAngles, levelled, quarter_turned, tur
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.insole.elements import Correction
-from insole_core.insole.elements.correction import with_places
 from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.mirroring import moved
 from insole_core.workflows.foot_landmarks import confirmed, landmarks_of
 
 
@@ -107,16 +105,9 @@ def _moved_design(design: InsoleDesign, step: FloatArray) -> InsoleDesign:
         x, y, _ = _point(step, (*place, 0.0))
         return x, y
 
-    return replace(
-        design,
-        corrections=tuple(_moved(c, move, step) for c in design.corrections),
-        outline=with_places(design.outline, move),
-    )
-
-
-def _moved(correction: Correction, move: Callable[[Place], Place], step: FloatArray) -> Correction:
     yaw_deg = float(np.degrees(np.arctan2(step[1, 0], step[0, 0])))
-    return with_places(correction, move).turned_by(yaw_deg)
+    lying = moved(design, move)
+    return replace(lying, corrections=tuple(c.turned_by(yaw_deg) for c in lying.corrections))
 
 
 def _point(step: FloatArray, place: tuple[float, ...]) -> tuple[float, float, float]:

@@ -1,10 +1,12 @@
-"""The same prescription for the other foot."""
+"""The same prescription for the other foot, or with its places moved."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
-from insole_core.insole.elements.correction import reflected
+from insole_core.insole.elements.correction import reflected, with_places
+from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
 
 
@@ -19,4 +21,20 @@ def mirrored(design: InsoleDesign) -> InsoleDesign:
         corrections=tuple(correction.mirrored() for correction in design.corrections),
         outline=reflected(design.outline),
         shell=None if design.shell is None else reflected(design.shell),
+    )
+
+
+def moved(design: InsoleDesign, move: Callable[[Place], Place]) -> InsoleDesign:
+    """Move all places of a design on the foot: of corrections, outline and trim line.
+
+    Parameters
+    ----------
+    move
+        Maps a place (x, y) in mm to another.
+    """
+    return replace(
+        design,
+        corrections=tuple(with_places(correction, move) for correction in design.corrections),
+        outline=with_places(design.outline, move),
+        shell=None if design.shell is None else with_places(design.shell, move),
     )

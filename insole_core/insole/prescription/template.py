@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -19,11 +19,10 @@ import numpy as np
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
-from insole_core.insole.elements.correction import with_places
 from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
-from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.prescription.mirroring import mirrored, moved
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-template", 1
@@ -83,16 +82,11 @@ def apply_template(template: Template, side: Side, landmarks: Landmarks) -> Inso
     homogeneous = np.column_stack([anchors, np.ones(3)])
     own2other = np.linalg.solve(homogeneous, to)
 
-    def moved(place: Place) -> Place:
+    def at_landmarks(place: Place) -> Place:
         x, y = np.array([*place, 1.0]) @ own2other
         return float(x), float(y)
 
-    return replace(
-        design,
-        corrections=tuple(with_places(c, moved) for c in design.corrections),
-        outline=with_places(design.outline, moved),
-        shell=None if design.shell is None else with_places(design.shell, moved),
-    )
+    return moved(design, at_landmarks)
 
 
 def template_to_json(template: Template) -> dict[str, Any]:
