@@ -6,7 +6,7 @@ import logging
 import time
 import uuid
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,7 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import Conflict, InputError, PersonErased, Unreachable
 from insole_core.export.shop_order import OrderTerms, terms_from_json, terms_to_json
+from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
 from insole_core.records.order import Order, OrderState, OrderSummary
 from insole_core.workflows.order_package import Ordered
@@ -48,8 +49,8 @@ class _Export:
         The terms from which those of the order were changed.
     key
         By which it waits on the disk; earlier exports have lower ones.
-    is_left
-        Whether it was written in a window that ended before it heard that it is stored.
+    may_be_stored
+        Whether it was given to the record before, which may have stored it without an answer.
     """
 
     visit_id: str
@@ -57,7 +58,7 @@ class _Export:
     ordered: Ordered
     before: OrderTerms
     key: str = field(default_factory=lambda: f"{time.time_ns()}-{uuid.uuid4().hex}")
-    is_left: bool = False
+    may_be_stored: bool = False
 
     def to_json(self) -> dict[str, Any]:
         """Return it as values for `json.dumps`."""
@@ -91,7 +92,7 @@ class _Export:
         )
         sides = tuple(side for side in Side if side in of.texts("sides"))
         before = terms_from_json(of.object("before"))
-        return cls(left.visit_id, sides, ordered, before, left.key, is_left=True)
+        return cls(left.visit_id, sides, ordered, before, left.key, may_be_stored=True)
 
 
 class OrderActions(QObject):
@@ -168,7 +169,8 @@ class OrderActions(QObject):
     def _go_on(self) -> None:
         """Store what could not be stored before, once the record can be asked."""
         if self._clinic.state is RecordState.CLOSED and self._under_way is not None:
-            self._waiting.insert(0, self._under_way)  # its answer does not arrive any more
+            # Its answer does not arrive any more.
+            self._waiting.insert(0, replace(self._under_way, may_be_stored=True))
             self._under_way = None
         if self._waiting and self._clinic.state is RecordState.OPEN:
             self._store_when_saved()
@@ -195,7 +197,8 @@ class OrderActions(QObject):
         def missed(error: Exception) -> None:
             self._under_way = None
             if isinstance(error, Unreachable | Conflict):
-                self._waiting.insert(0, export)
+                may_be_stored = export.may_be_stored or isinstance(error, Unreachable)
+                self._waiting.insert(0, replace(export, may_be_stored=may_be_stored))
             elif isinstance(error, InputError | PersonErased):  # for good; all else is tried again
                 self._kept.drop(export.key)
             if not isinstance(error, Conflict):  # of a change between reading and writing
@@ -286,15 +289,16 @@ def _store(records: Records, export: _Export) -> Order:
     records.visits.get(visit_id)  # which says so where it is gone
     newest = [records.prescriptions.versions(visit_id, side)[0].id for side in export.sides]
     terms, files, place = ordered.terms, ordered.files, str(ordered.place)
-    is_known = ordered.revision > 1 or export.is_left
-    known = records.orders.with_number(ordered.number) if is_known else None
-    if known is not None and known.visit_id == visit_id:
-        stored = records.orders.get(known.id)
-        if export.is_left and stored.release >= ordered.revision:  # it was stored after all
-            return stored
+    known = records.orders.with_number(ordered.number)
+    if known is not None and known.visit_id != visit_id:
+        known = None
+    stored = None if known is None else records.orders.get(known.id)
+    if stored is not None and export.may_be_stored and _is_stored(stored, ordered):
+        return stored
+    if stored is not None and ordered.revision > 1:
         is_moved = terms.deliver_on is not None and terms.deliver_on != before.deliver_on
         return records.orders.revise(
-            known.id, newest, stored.revision,
+            stored.id, newest, stored.revision,
             release=ordered.revision,
             due_on=terms.deliver_on if is_moved else stored.due_on,
             remarks=_merged(stored.remarks, before.remarks, terms.remarks),
@@ -306,6 +310,15 @@ def _store(records: Records, export: _Export) -> Order:
         remarks=terms.remarks, files=files, number=ordered.number,
         release=ordered.revision, place=place,
     )  # fmt: skip
+
+
+def _is_stored(stored: Order, ordered: Ordered) -> bool:
+    """Return whether an order has exactly these files in this revision."""
+    if not all(path.is_file() for path in ordered.files):
+        return False
+    files = {(path.name, sha256_of(path)) for path in ordered.files}
+    of_release = (file for file in stored.files if file.release == ordered.revision)
+    return files == {(file.name, file.content_sha256) for file in of_release}
 
 
 def _merged(stored: str, before: str, now: str) -> str:

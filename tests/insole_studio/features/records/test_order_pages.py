@@ -303,6 +303,33 @@ def test_a_revision_exported_while_the_record_is_away_is_stored_when_it_is_back(
     assert opened.case.record.order.revision == 2
 
 
+@pytest.mark.parametrize("name", ["add", "revise"])
+def test_an_order_whose_answer_was_lost_is_not_stored_twice(
+    records: Records, visit: Visit, order: Order, opened: Application, rest: Callable[[], None],
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str,
+) -> None:  # fmt: skip
+    solid = tmp_path / "p-left.stl"
+    solid.write_bytes(b"solid")
+    store = getattr(Orders, name)
+
+    def store_and_fail(*given: object, **named: object) -> Order:
+        store(*given, **named)
+        raise Unreachable("The database does not answer.")
+
+    number, revision = ("26-7", 1) if name == "add" else (order.number, 2)
+    with monkeypatch.context() as away:
+        away.setattr(Orders, name, store_and_fail)
+        ordered = Ordered((solid,), OrderTerms(), number, revision)
+        opened.features.export.exported_files.emit(opened.case.record, ordered, visit.id)
+        qtbot.waitUntil(lambda: bool(opened.services.messages.dialogs))
+    waiting = opened.services.paths.waiting_orders_folder
+    qtbot.waitUntil(lambda: not list(waiting.rglob("*.json")))
+    rest()
+    assert len(opened.services.messages.dialogs) == 1
+    (stored,) = (o for o in records.orders.of_person(visit.person_id) if o.number == number)
+    assert records.orders.get(stored.id).release == revision
+
+
 def test_a_stored_order_does_not_take_back_a_revision_that_is_out(clinic: Application) -> None:
     clinic.case.note_order(OrderNote("26-7KQ4M", 2))
     clinic.case.note_stored_order(OrderNote("26-7KQ4M", 1))
