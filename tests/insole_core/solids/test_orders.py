@@ -95,14 +95,17 @@ def test_layers_are_one_thing_in_the_file(layered, tmp_path: Path):
     assert re.findall(r"density_percent[^>]*>(\d+)<", model) == ["20", "60", "35"]
 
 
-def test_layers_open_in_a_slicer_with_the_right_size(layered, tmp_path: Path):
+@pytest.mark.parametrize(("suffix", "objects"), [(".3mf", 3), (".amf", 1)])
+def test_layers_open_in_a_slicer_with_the_right_size(layered, suffix, objects, tmp_path: Path):
     if shutil.which("prusa-slicer") is None:
         pytest.skip("the program prusa-slicer is not installed")
     part = part_of(layered, layered=True)
-    write(ExportJob((part,), SHOP), ExportPaths(tmp_path / "insole.3mf"))
-    call = ["prusa-slicer", "--info", str(tmp_path / "insole.3mf")]
+    path = tmp_path / f"insole{suffix}"
+    write(ExportJob((part,), SHOP), ExportPaths(path))
+    call = ["prusa-slicer", "--info", str(path)]
     said = subprocess.run(call, capture_output=True, text=True, check=True).stdout
-    assert re.findall(r"manifold = (\w+)", said) == ["yes"] * 3
+    assert re.findall(r"manifold = (\w+)", said) == ["yes"] * objects
+    assert sum(map(int, re.findall(r"number_of_parts = +(\d+)", said))) == 3
     low, high = (
         np.array([re.findall(rf"{end}_{axis} = (\S+)", said) for axis in "xyz"], float)
         for end in ("min", "max")
