@@ -29,8 +29,6 @@ from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.side import Side
 
 SCALES: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)
-STATIONS: Final = (("A", "ball", 0.72), ("B", "arch", 0.45), ("C", "heel", 0.12))
-"""Letter and name of each section across, and its place as a share of the length."""
 _INK, _THIN, _SHADE = colors.black, colors.HexColor("#7a7a7a"), colors.HexColor("#dcdcdc")
 _BLUE: Final = colors.HexColor("#1f4e8c")
 _THICK_PT, _LINE_PT, _FINE_PT = 0.9, 0.45, 0.25
@@ -76,12 +74,15 @@ class Section:
 
     Parameters
     ----------
+    name
+        Of the place, a word of words.json.
     at_mm
         Place of the plane.
     polygons : (n, 2) float64 each, mm
         Place along the cut, and height.
     """
 
+    name: str
     at_mm: float
     polygons: tuple[FloatArray, ...]
 
@@ -135,7 +136,7 @@ class DrawnInsole:
     profile : (n, 2) float64 each, mm
         Of the solid from its side: y, z.
     sections
-        Across, by their letters in `STATIONS`.
+        Across, by their letters, from the toes to the heel.
     lengthwise
         In the plane x = 0.
     """
@@ -399,22 +400,22 @@ class SectionsPage(_Page):
     def _draw_content(self, pen: _Pen) -> None:
         height = self._piece.size_mm[2]
         top = self._height_mm - 6.0
-        for letter, name, share in STATIONS:
+        for letter in self._piece.sections:
             base = top - 12 - height / self._across
-            self._draw_across(pen, letter, name, share, (self._width_mm / 2, base))
+            self._draw_across(pen, letter, (self._width_mm / 2, base))
             top = base - 11
         base = top - 8 - height / self._along
         self._draw_along(pen, (self._width_mm / 2, base))
         pen.scale_bar(6, _TITLE_MM + 5, 50, 1.0)
 
-    def _draw_across(
-        self, pen: _Pen, letter: str, name: str, share: float, at: tuple[float, float]
-    ) -> None:
+    def _draw_across(self, pen: _Pen, letter: str, at: tuple[float, float]) -> None:
         piece, scale = self._piece, self._across
         section = piece.sections[letter]
         left_mm, right_mm = section.ends_mm
         width = right_mm - left_mm
-        heading = "   ".join((f"{letter}–{letter}", self._word(name), f"y={section.at_mm:.0f}"))
+        heading = "   ".join(
+            (f"{letter}–{letter}", self._word(section.name), f"y={section.at_mm:.0f}")
+        )
 
         def place(along_mm: float) -> float:
             """Return a place along the cut on the paper."""
@@ -445,7 +446,7 @@ class SectionsPage(_Page):
         piece, scale, section = self._piece, self._along, self._piece.lengthwise
         heel_mm, toes_mm = section.ends_mm
         origin = at[0] - (heel_mm + toes_mm) / 2 / scale
-        heading = "   ".join(("D–D", self._word("along the axis"), "x=0"))
+        heading = "   ".join(("D–D", self._word(section.name), "x=0"))
         pen.text(at[0], at[1] + piece.size_mm[2] / scale + 4, heading, bold=True, centred=True)
         pen.section(_on_paper(section, scale, origin, at[1]))
         for letter, across in piece.sections.items():

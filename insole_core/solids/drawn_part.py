@@ -9,11 +9,11 @@ import numpy as np
 
 from insole_core.errors import DesignError
 from insole_core.export.insole_drawing import (
-    STATIONS,
     DrawnInsole,
     Element,
     Section,
 )
+from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid
 from insole_core.insole.elements import Correction
@@ -34,6 +34,8 @@ _POSTS: Final = {"rearfoot post": "C", "forefoot post": "A"}
 """Facts of the prescription, and the section that is in the middle of each post."""
 _BESIDE_MM: Final = 1e-4
 """From a round place, where vertices may lie in the plane of a cut."""
+_OFF_FRONT_MM: Final = 5.0
+"""From the front of a piece that ends behind the heads of the metatarsals."""
 _LEAST_MM2: Final = 0.01
 """Of an area of a section; less is a sliver of the triangles."""
 
@@ -52,13 +54,10 @@ def drawn_part(part: Part, translate: Translate = str) -> DrawnInsole | None:
         body = to_manifold(solid)
     except DesignError:
         return None
-    lowest, highest = solid.bounds_mm
-    stations = {
-        letter: float(np.round(lowest[1] + share * (highest[1] - lowest[1])))
-        for letter, _, share in STATIONS
-    }
     across, along = body.transform(_XZY), body.transform(_YZX)
-    sections = {letter: _section(across, y_mm) for letter, y_mm in stations.items()}
+    lengthwise = _section(along, "along the axis", 0.0)
+    stations = _stations(part.landmarks, *lengthwise.ends_mm)
+    sections = {letter: _section(across, *station) for letter, station in stations.items()}
     return DrawnInsole(
         side=part.side,
         bounds_mm=solid.bounds_mm,
@@ -66,14 +65,36 @@ def drawn_part(part: Part, translate: Translate = str) -> DrawnInsole | None:
         outline=_polygons(body.project()),
         profile=_polygons(along.project()),
         sections=sections,
-        lengthwise=_section(along, 0.0),
+        lengthwise=lengthwise,
         elements=_elements(part, sections, translate),
     )
 
 
-def _section(body: manifold3d.Manifold, at_mm: float) -> Section:
+def _stations(
+    landmarks: Landmarks, back_mm: float, front_mm: float
+) -> dict[str, tuple[str, float]]:
+    """Return name and place of each section across.
+
+    They lie at landmarks; in a piece that ends behind the heads, at its front instead of the ball.
+
+    Parameters
+    ----------
+    back_mm, front_mm
+        Of the piece, on the axis of the foot.
+    """
+    heads = (landmarks[name].point[1] for name in ("metatarsal_head_1", "metatarsal_head_5"))
+    heel, ball = float(landmarks["heel_centre"].point[1]), float(np.mean([*heads]))
+    front = ("ball", ball) if ball < front_mm else ("front edge", front_mm - _OFF_FRONT_MM)
+    places = {"A": front, "B": ("arch", (heel + ball) / 2), "C": ("heel", heel)}
+    return {
+        letter: (name, float(np.round(np.clip(at, back_mm + 1, front_mm - 1))))
+        for letter, (name, at) in places.items()
+    }
+
+
+def _section(body: manifold3d.Manifold, name: str, at_mm: float) -> Section:
     cut = body.slice(at_mm + _BESIDE_MM)
-    return Section(at_mm, _polygons(cut))
+    return Section(name, at_mm, _polygons(cut))
 
 
 def _polygons(area: manifold3d.CrossSection) -> tuple[FloatArray, ...]:

@@ -5264,6 +5264,10 @@
             <translation>från {low:g} kPa</translation>
         </message>
         <message>
+            <source>front edge</source>
+            <translation>framkant</translation>
+        </message>
+        <message>
             <source>full</source>
             <translation>hel</translation>
         </message>

@@ -24,10 +24,12 @@ from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.layers import Layers
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.solids.checks import Override
+from insole_core.solids.drawn_part import drawn_part
 from insole_core.solids.export_job import ExportJob, ExportPaths, outputs, run_export_job
 from insole_core.solids.export_rules import ExportRules, read_rules, write_rules
 from insole_core.solids.order import Order, Part, make_part
@@ -52,6 +54,24 @@ def layered(left_foot) -> Insole:
 
 def part_of(insole: Insole, rules: ExportRules | None = None, **order) -> Part:
     return make_part(insole, Order(**order), rules or read_rules().only(("watertight",)))
+
+
+@pytest.mark.parametrize(("extent", "front"), [("full", "ball"), ("three_quarter", "front edge")])
+def test_sections_of_the_drawing_lie_at_landmarks_of_the_foot(left_foot, extent, front):
+    part = part_of(insole_of(left_foot, outline=Outline(extent=extent)))
+    drawn = drawn_part(part)
+    assert drawn is not None
+    y_mm = {name: mark.point[1] for name, mark in part.landmarks.items()}
+    heads_mm = (y_mm["metatarsal_head_1"] + y_mm["metatarsal_head_5"]) / 2
+    front_mm = drawn.lengthwise.ends_mm[1]
+    places = {section.name: section.at_mm for section in drawn.sections.values()}
+    assert list(drawn.sections) == ["A", "B", "C"]
+    assert list(places) == [front, "arch", "heel"]
+    assert places["heel"] == pytest.approx(y_mm["heel_centre"], abs=0.5)
+    assert places["arch"] == pytest.approx((heads_mm + y_mm["heel_centre"]) / 2, abs=0.5)
+    wanted_mm = heads_mm if extent == "full" else front_mm - 5
+    assert (heads_mm < front_mm) == (extent == "full")
+    assert places[front] == pytest.approx(wanted_mm, abs=0.5)
 
 
 @pytest.mark.slow
