@@ -20,12 +20,14 @@ from postgres_server import PostgresServer, binaries, running_server
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from stations import migrated_database
 
 from insole_core.cases.scan_source import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.records import open as open_module
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
@@ -63,6 +65,21 @@ def same_results(kept: SharedResults) -> Iterator[None]:
     """Let the core find and make the same things once for all tests."""
     with pytest.MonkeyPatch.context() as patch:
         share_results(kept, patch)
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def records_begin_migrated(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Let a new record begin as a copy of one whose tables are made already."""
+    content = migrated_database(tmp_path_factory.mktemp("migrated")).read_bytes()
+    make_file = open_module._make_file
+
+    def make_migrated(path: Path) -> None:
+        make_file(path)
+        path.write_bytes(content)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(open_module, "_make_file", make_migrated)
         yield
 
 

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 from postgres_server import PostgresServer, binaries, running_server
-from stations import Stations
+from stations import Stations, make_tables, migrated_database
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.records.database import Database
-from insole_core.records.migrate import SCHEMA, migrate
+from insole_core.records.migrate import SCHEMA
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
 from insole_core.records.records import Records
 from insole_core.records.schema import FIRST_HASH, metadata
@@ -36,23 +36,14 @@ def postgres() -> Iterator[PostgresServer]:
         pytest.skip("PostgreSQL is not installed")
     with running_server() as server:
         server.execute("CREATE DATABASE migrated")
-        _make_tables(RecordsPlace.of_url(server.url("migrated"), server.folder))
+        make_tables(RecordsPlace.of_url(server.url("migrated"), server.folder))
         yield server
 
 
 @pytest.fixture(scope="session")
 def migrated_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An SQLite database with tables and nothing in them."""
-    place = RecordsPlace.local(tmp_path_factory.mktemp("migrated"))
-    place.database_file.touch()
-    _make_tables(place)
-    return place.database_file
-
-
-def _make_tables(place: RecordsPlace) -> None:
-    database = Database(place)
-    migrate(database)
-    database.close()
+    return migrated_database(tmp_path_factory.mktemp("migrated"))
 
 
 @pytest.fixture

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from insole_core.records.accounts import Account, Accounts
 from insole_core.records.author import Author, Proof, Role
+from insole_core.records.database import Database
+from insole_core.records.migrate import migrate
 from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
@@ -25,6 +28,21 @@ def add_member(accounts: Accounts, name: str, full_name: str, role: Role, passwo
     added = accounts.add(name, full_name, role, FIRST)
     accounts.change_password(name, FIRST, password)
     return replace(added, has_first_password=False)
+
+
+def make_tables(place: RecordsPlace) -> None:
+    """Make the tables of a record in a database without any."""
+    database = Database(place)
+    migrate(database)
+    database.close()
+
+
+def migrated_database(folder: Path) -> Path:
+    """Make an SQLite database with tables and nothing in them."""
+    place = RecordsPlace.local(folder)
+    place.database_file.touch()
+    make_tables(place)
+    return place.database_file
 
 
 @dataclass
