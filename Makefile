@@ -15,7 +15,7 @@ SITE   := resources/manual
 SCREEN := -screen 0 1920x1200x24
 PAGES  := $(wildcard docs/*.py docs/*.js docs/manual/*.md docs/manual/*/* docs/formats/*) CHANGELOG.md
 
-.PHONY: demo pictures test test-fast test-without-posix lint types style manual bench package clean
+.PHONY: demo pictures test offscreen display test-fast test-without-posix lint types style manual bench package clean
 .DEFAULT_GOAL := demo
 
 $(SYSTEM): packaging/linux/system-packages.sh
@@ -45,9 +45,14 @@ manual: $(SITE)/.built ## the site of the manual, which F1 opens and packages co
 demo: $(READY) manual ## open the application on a recorded session; without a screen do the same off-screen
 	$(BIN)/python -m insole_studio.demo
 
-test: $(READY) ## all tests: the window's offscreen, then those that look at real pixels, under Xvfb
+test: $(READY) ## all tests: the window's offscreen, and beside them those that look at real pixels
+	$(MAKE) --jobs=2 offscreen display
+
+offscreen: $(READY)
 	$(OFFSCREEN) -m "not display"
-	QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" env $(PYTEST) -m display $$(grep -rl mark.display tests --include='*.py')
+
+display: $(READY)
+	QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" env $(PYTEST) -q -m display $$(grep -rl mark.display tests --include='*.py')
 
 test-fast: $(READY) ## the tests to run while working: all but those that take long
 	$(OFFSCREEN) -m "not display and not slow"
