@@ -48,6 +48,8 @@ class Cutter:
         Of the tool, in the program.
     reach_mm
         From the tip to the collet.
+    flute_mm
+        Length of the cutting edges; above them nothing may be cut.
     """
 
     number: int
@@ -55,6 +57,7 @@ class Cutter:
     shape: Shape
     diameter_mm: float
     reach_mm: float
+    flute_mm: float
     spindle_rpm: float
     feed_mm_min: float
     plunge_mm_min: float
@@ -256,12 +259,14 @@ def _positive(item: JsonObject, key: str, most: float) -> float:
 
 
 def _cutter(item: JsonObject) -> Cutter:
+    reach_mm = item.number("reach_mm", 1, 300)
     return Cutter(
         number=item.integer("number", 1, 999),
         name=item.text("name"),
         shape=item.choice("shape", get_args(Shape)),
         diameter_mm=item.number("diameter_mm", 1, 40),
-        reach_mm=item.number("reach_mm", 1, 300),
+        reach_mm=reach_mm,
+        flute_mm=item.number("flute_mm", 1, reach_mm) if "flute_mm" in item.values else reach_mm,
         spindle_rpm=_positive(item, "spindle_rpm", 100_000),
         feed_mm_min=_positive(item, "feed_mm_min", 50_000),
         plunge_mm_min=_positive(item, "plunge_mm_min", 50_000),
@@ -290,7 +295,7 @@ def _roughing(item: JsonObject, cutters: tuple[Cutter, ...]) -> Roughing:
     cutter = _used(item, cutters, None)
     return Roughing(
         cutter,
-        item.number("step_down_mm", 0.2, 50),
+        item.number("step_down_mm", 0.2, min(50, cutter.flute_mm)),
         item.number("step_over_mm", 0.2, cutter.radius_mm * 1.6),
         item.number("allowance_mm", 0.3, 5),
     )
@@ -302,9 +307,10 @@ def _finishing(item: JsonObject, cutters: tuple[Cutter, ...]) -> Finishing:
 
 
 def _contour(item: JsonObject, cutters: tuple[Cutter, ...]) -> Contour:
+    cutter = _used(item, cutters, "flat")
     return Contour(
-        _used(item, cutters, "flat"),
-        item.number("step_down_mm", 0.2, 20),
+        cutter,
+        item.number("step_down_mm", 0.2, min(20, cutter.flute_mm)),
         item.integer("tabs", 0, 100),
         item.number("tab_length_mm", 1, 50),
         item.number("tab_height_mm", 0.5, 20),

@@ -312,12 +312,14 @@ def test_every_stop_is_made_at_the_parking_place(name, parking):
 def test_a_machine_file_from_before_these_keys_has_the_usual_ones(tmp_path):
     content = json.loads(resource_path("milling/linuxcnc.json").read_text())
     del content["work_offset"], content["acceleration_mm_s2"], content["texts"]["parking"]
+    del content["cutters"][0]["flute_mm"]
     path = Path(tmp_path / "machine.json")
     path.write_text(json.dumps(content))
     how = read_machine(path)
     assert how.texts.parking == ("G0 Z{park_mm}",)
     assert how.work_offset == "G54"
     assert how.acceleration_mm_s2 == (500.0, 500.0, 200.0)
+    assert [cutter.flute_mm for cutter in how.cutters] == [60.0, 22.0]
 
 
 @pytest.mark.parametrize(
@@ -474,6 +476,8 @@ def test_a_machine_is_kept_as_it_is(tmp_path, name):
         (("origin", "at"), "above", 'must be "corner" or "middle"'),
         (("acceleration_mm_s2",), [500, 500], "acceleration_mm_s2"),
         (("acceleration_mm_s2",), [500, 0, 500], "acceleration_mm_s2"),
+        (("cutters", 0, "flute_mm"), 61.0, r"cutters\[0\].flute_mm is 61"),
+        (("cutters", 0, "flute_mm"), 4.0, "roughing.step_down_mm is 6"),
         (("work_offset",), "G92", 'work_offset is "G92", but must be "G54", "G55"'),
         (("texts", "parking"), ["G0 Z{high}"], 'has the word "high", which no controller'),
     ],
