@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from string import Formatter
@@ -49,6 +50,22 @@ def fill(template: str, **values: object) -> str:
 def localised(value: float, spec: str = "z.1f") -> str:
     """Write a number as the language of the window does; `spec` as for `format`: no "-0.0"."""
     return _Localised().format_field(float(value), spec)
+
+
+def moment_text(moment: datetime | str) -> str:
+    """Return a time as the clock of this computer shows it.
+
+    Parameters
+    ----------
+    moment
+        With its time zone, or ISO 8601 as the record writes it.
+    """
+    if isinstance(moment, str):
+        try:
+            moment = datetime.fromisoformat(moment)
+        except ValueError:
+            return str(moment)
+    return moment.astimezone().strftime("%Y-%m-%d %H:%M")
 
 
 def translate_core_message(sentence: str) -> str:

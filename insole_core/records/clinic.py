@@ -8,9 +8,9 @@ from typing import Any, Final
 from sqlalchemy import Connection, select
 
 from insole_core.records.context import RecordsContext
+from insole_core.records.database import upsert
 from insole_core.records.rights import Right
 from insole_core.records.schema import clinic
-from insole_core.records.upsert import upsert
 
 ERASING: Final = "erasing "
 """How the key of a setting begins that says who was erased while their text is still in files."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import sqlite3
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from json import JSONDecodeError
 from pathlib import Path
 from typing import Any, Final
 
-from sqlalchemy import Connection, column, create_engine, event, func, select, table
+from sqlalchemy import Connection, Table, column, create_engine, event, func, select, table
+from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.engine import Engine
 from sqlalchemy.exc import DBAPIError, NoResultFound
 from sqlalchemy.exc import TimeoutError as PoolTimeoutError
@@ -250,3 +251,23 @@ def _mode(path: Path, read_only: bool) -> str:
 def _begin(connection: Connection) -> None:
     is_write = connection.get_execution_options().get(_WRITES, False)
     connection.exec_driver_sql("BEGIN IMMEDIATE" if is_write else "BEGIN")
+
+
+def upsert(
+    connection: Connection, table: Table, values: Mapping[str, Any], changed: Sequence[str] = ()
+) -> None:
+    """Insert a row; where one with its key is there, change some of its columns.
+
+    Parameters
+    ----------
+    changed
+        Names of the columns that get the new value; without any, the row stays as it is.
+    """
+    dialect = sqlite if connection.dialect.name == "sqlite" else postgresql
+    statement = dialect.insert(table).values(**values)
+    if not changed:
+        connection.execute(statement.on_conflict_do_nothing())
+        return
+    key = [column.name for column in table.primary_key]
+    new = {name: statement.excluded[name] for name in changed}
+    connection.execute(statement.on_conflict_do_update(index_elements=key, set_=new))

@@ -11,8 +11,7 @@ from sqlalchemy.exc import DBAPIError
 
 from insole_core.records.clinic import ERASING, write_setting
 from insole_core.records.database import Database
-from insole_core.records.rows_of_person import tables_of_persons
-from insole_core.records.schema import clinic, persons
+from insole_core.records.schema import clinic, persons, tables_of_persons
 from insole_core.records.upgrade_copy import forget_copies
 
 log = logging.getLogger(__name__)

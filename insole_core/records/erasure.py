@@ -33,16 +33,17 @@ from insole_core.records.marks import Erased, mark_of
 from insole_core.records.person import new_pseudonym
 from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.row_seals import ids_of_persons
-from insole_core.records.rows_of_person import is_of_person, tables_of_persons
 from insole_core.records.schema import (
     captures,
     contents,
     empty_value,
+    is_of_person,
     metadata,
     order_files,
     orders,
     persons,
     prescription_versions,
+    tables_of_persons,
 )
 from insole_core.records.signing import is_as_signed, note_redaction
 from insole_core.records.stored_contents import refer_to

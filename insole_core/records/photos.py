@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
+import cv2
+from PIL import Image
 from sqlalchemy import Connection, Row, delete, func, insert, select, update
 
 from insole_core.errors import Conflict, InputError, RecordsError
+from insole_core.pressure.picture import MOST_PIXELS, read_picture_file
 from insole_core.records.audit import AuditLog
 from insole_core.records.context import RecordsContext
 from insole_core.records.photo import (
@@ -17,7 +21,6 @@ from insole_core.records.photo import (
     marks_from_text,
     marks_to_json,
 )
-from insole_core.records.photo_picture import photo_jpeg
 from insole_core.records.rights import Right
 from insole_core.records.schema import visit_photos
 from insole_core.records.stored_contents import refer_to
@@ -151,3 +154,38 @@ def _stored(connection: Connection, photo_id: str) -> Row[Any]:
 
 def _photo(row: Row[Any]) -> Photo:
     return Photo(**{**row._mapping, "marks": marks_from_text(row.marks)})
+
+
+MOST_PX: Final = 2400
+"""Greatest width and height of a stored photo."""
+_QUALITY: Final = 88
+
+
+def photo_jpeg(path: Path) -> bytes:
+    """Return a picture of a file as it is stored: upright, not too large, and nothing but pixels.
+
+    Raises
+    ------
+    InputError
+        When it is no PNG, JPEG or TIFF, damaged, or far larger than cameras make them.
+    """
+    too_large = InputError(
+        "{path} has more than {most} million pixels; take the photo with fewer, or save it "
+        "smaller.",
+        path=path,
+        most=MOST_PIXELS // 1_000_000,
+    )
+    colors = read_picture_file(path, too_large).colors
+    height, width = colors.shape[:2]
+    shrunk = MOST_PX / max(height, width)
+    if shrunk < 1.0:
+        size = max(round(width * shrunk), 1), max(round(height * shrunk), 1)
+        colors = cv2.resize(colors, size, interpolation=cv2.INTER_AREA)
+    return jpeg_of(Image.fromarray(colors))
+
+
+def jpeg_of(image: Image.Image) -> bytes:
+    """Return an image as JPEG, nothing but pixels."""
+    written = io.BytesIO()
+    image.save(written, "JPEG", quality=_QUALITY)
+    return written.getvalue()

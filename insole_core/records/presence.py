@@ -9,10 +9,10 @@ from typing import Final
 from sqlalchemy import Connection, delete, func, select
 
 from insole_core.records.context import RecordsContext
+from insole_core.records.database import upsert
 from insole_core.records.rights import Right
 from insole_core.records.schema import presence
 from insole_core.records.times import TIME_FORMAT, utc_now
-from insole_core.records.upsert import upsert
 
 STALE_S: Final = 90.0
 """A station that has not said so for so long has left, or was switched off.

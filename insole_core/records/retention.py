@@ -40,15 +40,16 @@ from insole_core.records.erasure import Eraser, is_unused
 from insole_core.records.person import new_pseudonym
 from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require, require_signed_in
-from insole_core.records.rows_of_person import is_of_person, tables_of_persons
 from insole_core.records.schema import (
     captures,
     contents,
     follow_ups,
+    is_of_person,
     order_events,
     orders,
     persons,
     prescription_versions,
+    tables_of_persons,
     visits,
 )
 from insole_core.records.signing import ERASED, PRESCRIPTION

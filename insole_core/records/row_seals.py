@@ -18,17 +18,18 @@ from typing import Any, Final
 from sqlalchemy import Column, Connection, Row, Select, Table, literal, select
 
 from insole_core.records.marks import mark_of
-from insole_core.records.rows_of_person import is_of_person, owner_of
 from insole_core.records.schema import (
     accounts,
     captures,
     clinic,
     empty_value,
     follow_ups,
+    is_of_person,
     order_events,
     order_feet,
     order_files,
     orders,
+    owner_of,
     persons,
     prescription_versions,
     visit_photos,

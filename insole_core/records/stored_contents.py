@@ -7,9 +7,9 @@ from pathlib import Path
 from sqlalchemy import Connection
 
 from insole_core.records.content_store import ContentStore
+from insole_core.records.database import upsert
 from insole_core.records.schema import contents
 from insole_core.records.times import utc_now
-from insole_core.records.upsert import upsert
 
 
 def refer_to(connection: Connection, sha256: str, size: int, kind: str) -> None:

@@ -36,7 +36,7 @@ from insole_core.records.fhir import (
 )
 from insole_core.records.order import Order, OrderFile
 from insole_core.records.photo import Photo, PhotoMark
-from insole_core.records.photo_picture import jpeg_of
+from insole_core.records.photos import jpeg_of
 from insole_core.records.records import Records
 from insole_core.records.rights import Right, require
 from insole_core.records.statement import statement_of, write_statement_paper

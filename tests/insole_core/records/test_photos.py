@@ -18,7 +18,7 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.errors import Conflict, InputError, RecordsError
 from insole_core.records.person import Person
 from insole_core.records.photo import MOST_POINTS, Photo, PhotoMark
-from insole_core.records.photo_picture import MOST_PX, photo_jpeg
+from insole_core.records.photos import MOST_PX, photo_jpeg
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.row_report import verify_rows

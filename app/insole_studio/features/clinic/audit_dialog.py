@@ -11,10 +11,9 @@ from insole_core.cases.days import read_day
 from insole_core.errors import InputError
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.audit_texts import details_text
-from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.verifying_dialog import VerifyingDialog
 from insole_studio.jobs import Jobs
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import moment_text, tr, translate_core_message
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.row_table import RowTable, TableRow

@@ -25,14 +25,13 @@ from insole_studio.features.clinic.backups import (
     read_state,
     report_text,
 )
-from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.password_fields import PasswordFields
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.jobs import JobProgress
 from insole_studio.services.last_folders import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import LAST_HOUR, BackupDay, BackupKeep, Settings
-from insole_studio.texts import fill, tr
+from insole_studio.texts import fill, moment_text, tr
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import ProgressBar

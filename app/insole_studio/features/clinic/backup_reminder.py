@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
-from insole_studio.features.clinic.moments import moment_text
 from insole_studio.settings import BackupDay
-from insole_studio.texts import tr
+from insole_studio.texts import moment_text, tr
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records

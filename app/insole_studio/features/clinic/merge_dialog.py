@@ -10,10 +10,9 @@ from PySide6.QtWidgets import QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.record_field import typed_fields
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.person_picker import PersonPicker
 from insole_studio.features.clinic.record_dialog import RecordDialog
-from insole_studio.texts import fill, tr, translate_core_message
+from insole_studio.texts import fill, moment_text, tr, translate_core_message
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 

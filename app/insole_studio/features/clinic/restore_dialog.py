@@ -14,13 +14,12 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit
 from insole_core.progress import Progress
 from insole_studio.document.record_location import RecordLocation, settings_for
 from insole_studio.features.clinic.backups import Backups
-from insole_studio.features.clinic.moments import moment_text
 from insole_studio.features.clinic.password_fields import secret_line
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.jobs import JobProgress, Result, Task
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.last_folders import Kept
-from insole_studio.texts import fill, tr, translate_core_message
+from insole_studio.texts import fill, moment_text, tr, translate_core_message
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.plain_button import plain_button

@@ -9,8 +9,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
 
 from insole_core.geometry.side import Side
 from insole_core.records.prescription import VersionSummary
-from insole_studio.features.records.record_texts import moment_text
-from insole_studio.texts import tr
+from insole_studio.texts import moment_text, tr
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 

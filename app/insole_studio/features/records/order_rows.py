@@ -15,8 +15,8 @@ from insole_core.records.order import (
     OrderState,
     OrderSummary,
 )
-from insole_studio.features.records.record_texts import day_text, moment_text
-from insole_studio.texts import tr
+from insole_studio.features.records.record_texts import day_text
+from insole_studio.texts import moment_text, tr
 from insole_studio.widgets.row_table import Sorting, TableRow
 
 COLUMNS: Final[tuple[OrderKey, ...]] = (

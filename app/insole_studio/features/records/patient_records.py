@@ -39,7 +39,6 @@ from insole_studio.features.records.field_conflict_dialog import (
     FieldConflictDialog,
     collided_fields,
 )
-from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.features.records.order_actions import OrderActions
@@ -48,7 +47,7 @@ from insole_studio.features.records.orders_page import OrdersPage
 from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
-from insole_studio.features.records.record_dialogs import VisitDialog
+from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
 from insole_studio.features.records.record_texts import person_rows, version_text
 from insole_studio.features.records.same_prescription import (
     SamePrescription,

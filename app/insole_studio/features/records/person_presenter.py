@@ -28,7 +28,7 @@ from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.field_conflict_dialog import AskFields, collided_fields
 from insole_studio.features.records.order_rows import order_text
 from insole_studio.features.records.person_page import PERSON, PersonPage
-from insole_studio.features.records.record_form import shown_texts
+from insole_studio.features.records.record_form import label_of, shown_texts
 from insole_studio.features.records.record_texts import (
     capture_text,
     measures_text,
@@ -39,8 +39,7 @@ from insole_studio.features.records.record_texts import (
     version_text,
     visit_time_text,
 )
-from insole_studio.features.records.rows import FootLine, VisitRow
-from insole_studio.features.records.trends import trends_of
+from insole_studio.features.records.rows import FootLine, Trend, VisitRow
 from insole_studio.features.records.visit_pictures import VisitPictures
 from insole_studio.texts import tr, translate_core_message
 
@@ -327,3 +326,42 @@ def _row(shown: VisitView) -> VisitRow:
 def _version_line(version: VersionSummary) -> str:
     number = tr("Version {number}").format(number=version.number)
     return f"{number}: {version_text(version)}"
+
+
+def trends_of(visits: Sequence[Visit]) -> list[Trend]:
+    """Return each measure that two or more visits have, over their days, oldest first."""
+    found: dict[tuple[str, Side | None], list[tuple[str, float]]] = {}
+    for visit in sorted(visits, key=lambda visit: visit.visited_on):
+        day = visit.visited_on.isoformat()
+        for key, value in visit.measures.items():
+            side, measure = _side_and_measure(key)
+            name = _names().get(measure)
+            if name is not None:
+                found.setdefault((name, side), []).append((day, value))
+        if visit.weight_kg is not None:
+            found.setdefault((label_of(Visit, "weight_kg"), None), []).append(
+                (day, visit.weight_kg)
+            )
+    return [
+        Trend(name, tuple(day for day, _ in points), tuple(value for _, value in points), side)
+        for (name, side), points in found.items()
+        if len(points) > 1
+    ]
+
+
+def _side_and_measure(key: str) -> tuple[Side | None, str]:
+    """Return side and measure of a key such as "left_length_mm"."""
+    for side in Side:
+        if key.startswith(f"{side}_"):
+            return side, key.removeprefix(f"{side}_")
+    return None, key
+
+
+def _names() -> dict[str, str]:
+    return {
+        "foot_length_mm": tr("Foot length (mm)"),
+        "ball_width_mm": tr("Ball width (mm)"),
+        "heel_width_mm": tr("Heel width (mm)"),
+        "arch_height_mm": tr("Arch height (mm)"),
+        "navicular_height_mm": tr("Navicular height (mm)"),
+    }

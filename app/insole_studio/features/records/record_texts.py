@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from datetime import date, datetime
+from datetime import date
 
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
@@ -12,22 +12,13 @@ from insole_core.records.capture import Capture
 from insole_core.records.person import PersonSummary
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.visit import CaptureState, Visit, VisitSummary
-from insole_studio.texts import localised, tr, translate_core_message
+from insole_studio.texts import localised, moment_text, tr, translate_core_message
 from insole_studio.widgets.row_table import TableRow
 
 
 def day_text(day: date | None) -> str:
     """Return a day as ISO 8601; empty where it is unknown."""
     return "" if day is None else day.isoformat()
-
-
-def moment_text(at: str) -> str:
-    """Return a time of the record (ISO 8601, UTC) as the clock of this computer shows it."""
-    try:
-        moment = datetime.fromisoformat(at)
-    except ValueError:
-        return at
-    return moment.astimezone().strftime("%Y-%m-%d %H:%M")
 
 
 def capture_text(state: CaptureState) -> str:

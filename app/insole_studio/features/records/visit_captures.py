@@ -10,9 +10,8 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.scan_source import ScanSource
 from insole_core.records.capture import Capture
-from insole_studio.features.records.record_texts import moment_text
 from insole_studio.services.app_services import AppServices
-from insole_studio.texts import tr
+from insole_studio.texts import moment_text, tr
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records

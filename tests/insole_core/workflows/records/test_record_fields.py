@@ -37,7 +37,7 @@ from insole_core.records.record_field import (
 )
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
-from insole_core.records.rows_of_person import tables_of_persons
+from insole_core.records.schema import tables_of_persons
 from insole_core.records.text_table import read_table
 from insole_core.records.visit import Visit
 from insole_core.workflows.records.person_dossier import pseudonymous, read_dossier

@@ -32,12 +32,11 @@ from insole_core.workflows.starting_design import starting_device
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.main_controller import SCANNING
 from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
-from insole_studio.features.records.follow_up_dialog import FollowUpDialog
 from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.person_page import PERSON, PersonPage
-from insole_studio.features.records.record_dialogs import VisitDialog
-from insole_studio.features.records.record_texts import moment_text
+from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
+from insole_studio.texts import moment_text
 from insole_studio.widgets.notice_bar import Notice
 from insole_studio.widgets.side_badge import SideBadge
 
