@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     Value = TypeVar("Value", bound=DataclassInstance)
 
 
-@dataclass(frozen=True)
+# Without comparison and repr, which nobody asks for: every start of the window makes these classes.
+@dataclass(frozen=True, eq=False, repr=False)
 class Field(ABC):
     """What general code has to know of a field.
 
@@ -80,7 +81,7 @@ class Field(ABC):
         """
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Made(Field):
     """What the program fills by itself, and no form shows.
 
@@ -107,7 +108,7 @@ class Made(Field):
         return value
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Typed(Field):
     """What somebody fills in.
 
@@ -141,7 +142,7 @@ class Typed(Field):
         return "" if value is None else str(value)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Line(Typed):
     """A text of one line.
 
@@ -164,7 +165,7 @@ class Line(Typed):
         return check(value, self.noun, self.most)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Lines(Typed):
     """A text of several lines, of which two can be kept, one below the other.
 
@@ -186,7 +187,7 @@ class Lines(Typed):
         return check_text(value, self.noun, self.most)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Choice(Typed):
     """One of a few words.
 
@@ -203,7 +204,6 @@ class Choice(Typed):
         return str(value)
 
 
-@dataclass(frozen=True, kw_only=True)
 class Day(Typed):
     """A day not far from today."""
 
@@ -221,7 +221,6 @@ class Day(Typed):
         return self.checked(date.fromisoformat(day), today) if day else None
 
 
-@dataclass(frozen=True, kw_only=True)
 class BirthDate(Day):
     """A day on which somebody was born."""
 
@@ -232,7 +231,6 @@ class BirthDate(Day):
         return check_between(value, EARLIEST, today, self.noun)
 
 
-@dataclass(frozen=True, kw_only=True)
 class VisitDay(Day):
     """A day on which somebody was there, or is to come."""
 
@@ -241,7 +239,7 @@ class VisitDay(Day):
         return check_between(value, EARLIEST, today + LATEST_AHEAD, self.noun)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Number(Typed):
     """A number between two limits."""
 
