@@ -39,21 +39,26 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def returned_memory(pytestconfig: pytest.Config) -> Iterator[None]:
-    """Hand back what a module has freed: commands of the product keep it in the heap.
-
-    What is frozen is looked through only once the process has grown: a window that served a whole
-    module was there before its tests, was frozen by them, and is a cycle when the module ends.
-    """
+def returned_memory() -> Iterator[None]:
+    """Hand back what a module has freed: commands of the product keep it in the heap."""
     yield
     return_freed_memory()
-    kept_mb = pytestconfig.stash.setdefault(KEPT_MB, resident_mb())
-    if resident_mb() > kept_mb + GROWN_MB:
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item: pytest.Item) -> None:
+    """Look through what is frozen too, once the process has grown.
+
+    A window that served a whole module was there before its tests, was frozen by them, and is a
+    cycle when the module ends; so is a foot that was kept for other tests until newer ones came.
+    """
+    stash = item.config.stash
+    if resident_mb() > stash.setdefault(KEPT_MB, resident_mb()) + GROWN_MB:
         gc.unfreeze()
         gc.collect()
         gc.freeze()
         return_freed_memory()
-        pytestconfig.stash[KEPT_MB] = resident_mb()
+        stash[KEPT_MB] = resident_mb()
 
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
