@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QStyle, QWidget
 
 UNSEEN = ("offscreen", "minimal")
@@ -37,3 +37,32 @@ class Scrolled(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidget(content)
+
+
+class Shrunk(QWidget):
+    """Holds a widget that scrolls parts of itself, and lets it be as low as these allow.
+
+    A scroll area around it would else give it the height that it would like at this width.
+    """
+
+    def __init__(self, content: QWidget) -> None:
+        super().__init__()
+        self._content = content
+        content.setParent(self)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the least width, and the least height at the present width."""
+        layout, least = self._content.layout(), self._content.minimumSizeHint()
+        if layout is None or not layout.hasHeightForWidth():
+            return least
+        width_px = max(self.width(), least.width())
+        return QSize(least.width(), layout.minimumHeightForWidth(width_px))
+
+    def sizeHint(self) -> QSize:
+        """Return the size that the content would like."""
+        return self._content.sizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Give the content the whole room."""
+        super().resizeEvent(event)
+        self._content.setGeometry(self.rect())

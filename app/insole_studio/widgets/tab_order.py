@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
 
-from insole_studio.widgets.screen_room import Scrolled
+from insole_studio.widgets.screen_room import Scrolled, Shrunk
 
 
 def tab_stops(root: QWidget) -> Iterator[QWidget]:
@@ -75,7 +75,7 @@ class StageFrame(QWidget):
         """Fill the window with its content, which scrolls on a screen that is too small for it."""
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(Scrolled(content))
+        layout.addWidget(Scrolled(Shrunk(content)))
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Move the focus in reading order."""

@@ -25,6 +25,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_studio.app.bootstrap import Application
+from insole_studio.app.scripted import wait_for
 from insole_studio.jobs import JobProgress
 from insole_studio.scene.view_camera import Subject
 from insole_studio.widgets.date_field import DateField
@@ -38,6 +39,7 @@ SMALLEST = (683, 456)
 
 LAPTOP = (911, 490)
 """A screen of 1366 × 768 at 150 %, less the frame."""
+LOW_PX = 400
 
 
 def test_the_window_can_be_as_small_as_a_small_screen(clinic: Application) -> None:
@@ -67,6 +69,25 @@ def test_every_page_of_the_record_is_whole_across_a_laptop_at_150_percent(
         assert scrolled.horizontalScrollBar().maximum() == 0, type(page).__name__
         buttons = [b for b in page.findChildren(QPushButton) if b.isVisible()]
         assert all(b.width() >= b.sizeHint().width() for b in buttons), type(page).__name__
+
+
+def test_the_buttons_of_the_export_stay_on_a_low_screen(
+    opened: Application, settle: Callable[[], None]
+) -> None:
+    opened.window.actions_by_key["export"].trigger()
+    settle()
+    stage = opened.features.export.stage
+    assert stage is not None
+    wait_for(stage.jobs)
+    stage.resize(LAPTOP[0], LOW_PX)
+    QApplication.processEvents()
+    for button in (stage.view.export, stage.view.leave):
+        place = QRect(button.mapTo(stage, QPoint(0, 0)), button.size())
+        assert stage.rect().contains(place)
+    scrolled = stage.findChild(QScrollArea)
+    assert isinstance(scrolled, QScrollArea)
+    assert scrolled.verticalScrollBar().maximum() == 0
+    stage.close()
 
 
 def test_the_parameters_take_a_share_of_a_low_window(hands: Hands) -> None:
