@@ -31,7 +31,7 @@ from insole_core.formats.units import MM_PER_UNIT, Unit
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.messages import Message
 
-_MOST_BYTES: Final = 256 * 2**20  # of text, of which the tree takes several times as much
+_MOST_BYTES: Final = 128 * 2**20  # read in 1.5 GB; 1.8 million triangles
 _MOST_ELEMENTS, _MOST_PARTS = 100_000, 1000
 _HOLD_PARTS: Final = frozenset({"node", "visual_scene"})
 

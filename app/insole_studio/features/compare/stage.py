@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.workflows.compare_case import REPORT_SUFFIXES
 from insole_studio.document.case import Case
 from insole_studio.features.compare.presenter import ComparePresenter
 from insole_studio.features.compare.rows import FOLDER
@@ -21,7 +22,7 @@ from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
 
 _SIZE = (1280, 700)
-_REPORTS = "PDF (*.pdf);;JSON (*.json);;PNG (*.png);;PLY (*.ply)"
+_REPORTS = ";;".join(f"{suffix[1:].upper()} (*{suffix})" for suffix in REPORT_SUFFIXES)
 
 
 class CompareStage(StageFrame):
