@@ -19,6 +19,8 @@ settings.load_profile("any machine")
 # As the command does, before numpy reads it: beside a second worker, threads of OpenBLAS only wait
 # for each other, in twice the processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# So do those of Mesa, which draws with the processor.
+os.environ.setdefault("LP_NUM_THREADS", "1")
 
 GROWN_MB = 150.0
 KEPT_MB = pytest.StashKey[float]()

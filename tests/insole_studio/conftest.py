@@ -20,7 +20,7 @@ from postgres_server import PostgresServer, binaries, running_server
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
-from stations import migrated_database
+from stations import keep_quickly, migrated_database
 
 from insole_core.cases.scan_source import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
@@ -69,8 +69,8 @@ def same_results(kept: SharedResults) -> Iterator[None]:
 
 
 @pytest.fixture(scope="session", autouse=True)
-def records_begin_migrated(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Let a new record begin as a copy of one whose tables are made already."""
+def quick_records(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Let a new record begin as a copy of one whose tables are made already, and keep quickly."""
     content = migrated_database(tmp_path_factory.mktemp("migrated")).read_bytes()
     make_file = open_module._make_file
 
@@ -80,6 +80,7 @@ def records_begin_migrated(tmp_path_factory: pytest.TempPathFactory) -> Iterator
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(open_module, "_make_file", make_migrated)
+        keep_quickly(patch)
         yield
 
 

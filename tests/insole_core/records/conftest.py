@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from postgres_server import PostgresServer, binaries, running_server
-from stations import Stations, make_tables, migrated_database
+from stations import Stations, keep_quickly, make_tables, migrated_database
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
@@ -27,6 +27,13 @@ _EMPTY = "; ".join(
         f"UPDATE alembic_version SET version_num = '{SCHEMA}'",
     )
 )
+
+
+@pytest.fixture(scope="session", autouse=True)
+def quick_keeping() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        keep_quickly(patch)
+        yield
 
 
 @pytest.fixture(scope="session")

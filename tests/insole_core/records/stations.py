@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
+import pytest
+from argon2 import PasswordHasher
+
+from insole_core.cases.stored_mesh import pack_mesh
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.records import passwords, prescriptions
 from insole_core.records.accounts import Account, Accounts
 from insole_core.records.author import Author, Proof, Role
 from insole_core.records.database import Database
@@ -28,6 +35,19 @@ def add_member(accounts: Accounts, name: str, full_name: str, role: Role, passwo
     added = accounts.add(name, full_name, role, FIRST)
     accounts.change_password(name, FIRST, password)
     return replace(added, has_first_password=False)
+
+
+def keep_quickly(patch: pytest.MonkeyPatch) -> None:
+    """Hash passwords, and pack a surface again, in less time than the product takes to."""
+    packed: WeakKeyDictionary[TriangleMesh, bytes] = WeakKeyDictionary()
+
+    def pack_once(mesh: TriangleMesh) -> bytes:
+        if mesh not in packed:
+            packed[mesh] = pack_mesh(mesh)
+        return packed[mesh]
+
+    patch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
+    patch.setattr(prescriptions, "pack_mesh", pack_once)
 
 
 def make_tables(place: RecordsPlace) -> None:

@@ -44,11 +44,6 @@ class Clocks:
         self.monotonic += seconds
 
 
-@pytest.fixture(autouse=True)
-def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
-
-
 @pytest.fixture
 def clocks() -> Clocks:
     return Clocks()

@@ -9,10 +9,8 @@ from datetime import date
 from pathlib import Path
 
 import pytest
-from argon2 import PasswordHasher
 
 from insole_core.errors import UsageError
-from insole_core.records import passwords
 from insole_core.records.author import Author, Role
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
@@ -29,11 +27,6 @@ Command = Callable[..., int]
 
 
 pytestmark = pytest.mark.usefixtures("quick_passphrases")
-
-
-@pytest.fixture(autouse=True)
-def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
 
 
 @pytest.fixture

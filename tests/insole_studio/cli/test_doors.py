@@ -11,10 +11,8 @@ from pathlib import Path
 
 import pyrage
 import pytest
-from argon2 import PasswordHasher
 from stations import FIRST, add_member, proven
 
-from insole_core.records import passwords
 from insole_core.records.accounts import FREE_FAILURES
 from insole_core.records.audit import SIGNED_IN_BY
 from insole_core.records.author import Author, Role, system_user
@@ -56,11 +54,6 @@ NEEDED = {
 """What each command is given; what is wrong with it is told only to whoever may."""
 OPEN_TO_ALL = {"migrate", "password"}
 """The one shows nothing, and the other asks for the present password."""
-
-
-@pytest.fixture(autouse=True)
-def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
 
 
 @pytest.fixture

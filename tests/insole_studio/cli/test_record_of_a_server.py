@@ -8,13 +8,11 @@ from pathlib import Path
 
 import pyrage
 import pytest
-from argon2 import PasswordHasher
 from postgres_server import PostgresServer
 from PySide6.QtWidgets import QApplication
 from sqlalchemy import update
 from stations import proven
 
-from insole_core.records import passwords
 from insole_core.records.author import Author, Role
 from insole_core.records.database import SCHEMA_TABLE
 from insole_core.records.open import open_records
@@ -52,7 +50,6 @@ class Station:
 @pytest.fixture
 def station(tmp_path: Path, postgres_url: str, monkeypatch: pytest.MonkeyPatch) -> Station:
     """A station with one patient in the record of the server, and none in that of the computer."""
-    monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
     paths = use(tmp_path / "station", monkeypatch)
     share = tmp_path / "share"
     share.mkdir()

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from datetime import date
 
 import pytest
+from stations import keep_quickly
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
@@ -24,6 +25,13 @@ from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 
 NAME = "Åsa </h1><script>alert(1)</script> Öberg"
+
+
+@pytest.fixture(scope="session", autouse=True)
+def quick_keeping() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        keep_quickly(patch)
+        yield
 
 
 @dataclass(frozen=True)

@@ -9,22 +9,14 @@ from pathlib import Path
 
 import pytest
 from administering import OTHER_PASSWORD, PASSWORD, Dialog, shown
-from argon2 import PasswordHasher
 from pytestqt.qtbot import QtBot
 from stations import add_member, proven
 
-from insole_core.records import passwords
 from insole_core.records.author import Role
 from insole_core.records.place import DATABASE_FILE
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
-
-
-@pytest.fixture(autouse=True)
-def quick_hashes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Hash passwords in less time than the product takes to."""
-    monkeypatch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
 
 
 @pytest.fixture(autouse=True)
