@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import logging
 import uuid
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,6 +22,7 @@ from insole_core.files.write_errors import output_errors
 from insole_core.forgiving_json import rename_unreadable
 from insole_core.json_object import JsonObject
 from insole_studio.document.journal import remove_files
+from insole_studio.texts import fill, tr, translate_core_message
 
 log = logging.getLogger(__name__)
 
@@ -44,10 +45,13 @@ class WaitingWork:
     ----------
     folder
         Of all windows, for this kind; the folder of this window is made in it when it is needed.
+    tell
+        Called with a sentence for the user about work that can never be stored.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, tell: Callable[[str], object]) -> None:
         self._all = folder
+        self._tell = tell
         self._own = folder / uuid.uuid4().hex
         self._lock: FileLock | None = None
 
@@ -68,6 +72,16 @@ class WaitingWork:
         """Forget a piece of work: the record has it, or it is not wanted any more."""
         remove_files(self._own / f"{key}.json")
 
+    def set_aside(self, key: str, error: InsoleError) -> None:
+        """Keep a piece of work that can never be stored under another name, and tell of it."""
+        self._set_aside(self._own / f"{key}.json", error)
+
+    def _set_aside(self, path: Path, error: InsoleError) -> None:
+        log.warning("waiting work is set aside: %s", error)
+        sentence = tr("What waited for the record cannot be stored: {reason} It is kept as {path}.")
+        reason = translate_core_message(str(error))
+        self._tell(fill(sentence, reason=reason, path=rename_unreadable(path)))
+
     def take_over(self) -> list[LeftWork]:
         """Return what programs have left that ended, the oldest first; it is this window's now."""
         taken = []
@@ -79,8 +93,10 @@ class WaitingWork:
 
     def _taken(self, path: Path) -> LeftWork | None:
         """Move a piece of work here; None for one that cannot be, or that is worked on here."""
-        left = _read(path)
-        if left is None:
+        try:
+            left = _read(path)
+        except InsoleError as error:
+            self._set_aside(path, error)
             return None
         try:
             self._take_own()
@@ -120,8 +136,7 @@ def forget_visits(folder: Path, visit_ids: Collection[str]) -> None:
     for left, lock in _left_in(folder, None):
         with lock:
             for path in _works_in(left):
-                work = _read(path)
-                if work is not None and work.visit_id in visit_ids:
+                if _visit_of(path) in visit_ids:
                     remove_files(path)
             remove_files(*left.glob("*.broken-*"))  # whose they are is not known
             _remove_empty(left)
@@ -146,11 +161,15 @@ def _works_in(folder: Path) -> list[Path]:
     return [path for path in sorted(folder.glob("*.json")) if not is_temporary(path.name)]
 
 
-def _read(path: Path) -> LeftWork | None:
-    """Read a piece of work; None for one that is damaged, which is kept under another name."""
+def _read(path: Path) -> LeftWork:
+    content = JsonObject.read(path)
+    return LeftWork(path.stem, content.text(_VISIT), content)
+
+
+def _visit_of(path: Path) -> str | None:
+    """Return whose a piece of work is; None for a damaged one, which is kept under another name."""
     try:
-        content = JsonObject.read(path)
-        return LeftWork(path.stem, content.text(_VISIT), content)
+        return _read(path).visit_id
     except InsoleError as error:
         log.warning("waiting work cannot be read: %s", error)
         rename_unreadable(path)

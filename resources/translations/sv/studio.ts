@@ -1648,6 +1648,10 @@
             <translation>Vad syns här? Texten står vid punkten, i journalen.</translation>
         </message>
         <message>
+            <source>What waited for the record cannot be stored: {reason} It is kept as {path}.</source>
+            <translation>Det som väntade på journalen kan inte sparas: {reason} Det finns kvar som {path}.</translation>
+        </message>
+        <message>
             <source>What was recovered of {name} and not saved will be gone for good.</source>
             <translation>Det som räddats av {name} och inte sparats försvinner för alltid.</translation>
         </message>

@@ -106,7 +106,9 @@ class OrderActions(QObject):
         self._terms: dict[str, OrderTerms] = {}
         """By visit, those of the last export, or as it was opened."""
         self._waiting: list[_Export] = []
-        self._kept = WaitingWork(services.paths.waiting_orders_folder)
+        self._kept = WaitingWork(
+            services.paths.waiting_orders_folder, services.messages.show_sentence
+        )
         self._left: list[_Export] = []
         """Whose visit has work on this computer that is still to come into the record."""
         self._under_way: _Export | None = None
@@ -155,7 +157,7 @@ class OrderActions(QObject):
             try:
                 self._left.append(_Export.of_left(left))
             except InputError as error:
-                log.warning("an order that was left cannot be read: %s", error)
+                self._kept.set_aside(left.key, error)
         visits = {one.visit.visit_id for one in stuck if one.visit is not None}
         self._waiting += [export for export in self._left if export.visit_id not in visits]
         self._left = [export for export in self._left if export.visit_id in visits]

@@ -39,7 +39,9 @@ class VisitPhotos(QObject):
         super().__init__(services.window)
         self._services = services
         self._visits: dict[str, _PhotosOfVisit] = {}
-        self._waiting = WaitingWork(services.paths.waiting_photos_folder)
+        self._waiting = WaitingWork(
+            services.paths.waiting_photos_folder, services.messages.show_sentence
+        )
         self._left: dict[str, LeftWork] = {}
         """What was drawn in a window that ended before it was stored."""
         services.clinic.state_changed.connect(self._store_left)
@@ -55,7 +57,9 @@ class VisitPhotos(QObject):
         self._left |= {left.key: left for left in self._waiting.take_over()}
         for left in list(self._left.values()):
             clinic.write(
-                partial(_store_drawn, left=left), partial(self._drop_left, left.key), _note_failure
+                partial(_store_drawn, left=left),
+                partial(self._drop_left, left.key),
+                partial(self._miss_left, left.key),
             )
 
     def _drop_left(self, photo_id: str, is_there: bool) -> None:
@@ -65,6 +69,16 @@ class VisitPhotos(QObject):
             self._services.messages.say(
                 tr("What was drawn on a photo and not saved yet is now in the record."), LONG_MS
             )
+
+    def _miss_left(self, photo_id: str, error: Exception) -> None:
+        """Leave on the disk what the record does not take now; set aside what it never will."""
+        if not isinstance(error, InsoleError):
+            raise error
+        if isinstance(error, InputError):
+            if self._left.pop(photo_id, None) is not None:
+                self._waiting.set_aside(photo_id, error)
+        else:
+            log.warning("what was drawn on a photo is not in the record yet: %s", error)
 
     def open(self, visit_id: str) -> None:
         """Show the photos of a visit."""
@@ -290,10 +304,3 @@ def _store_drawn(records: Records, left: LeftWork) -> bool:
     if mine != theirs:
         records.photos.change(mine, theirs.revision)
     return True
-
-
-def _note_failure(error: Exception) -> None:
-    """Leave work on the disk that the record does not take; it is tried again later."""
-    if not isinstance(error, InsoleError):
-        raise error
-    log.warning("what was drawn on a photo is not in the record yet: %s", error)

@@ -121,36 +121,66 @@ def test_marks_and_orders_are_stored_by_the_window_after_one_that_was_killed(
 
 
 def test_what_a_running_window_works_on_is_its_own(tmp_path: Path) -> None:
-    running, other = WaitingWork(tmp_path), WaitingWork(tmp_path)
+    running, other = waiting(tmp_path), waiting(tmp_path)
     running.keep("photo-1", "visit-1", {"caption": "sole"})
     assert other.take_over() == []
     running.close()
     (left,) = other.take_over()
     assert (left.key, left.visit_id, left.content.text("caption")) == ("photo-1", "visit-1", "sole")
-    assert WaitingWork(tmp_path).take_over() == []
+    assert waiting(tmp_path).take_over() == []
     other.drop("photo-1")
     other.close()
     assert list(tmp_path.iterdir()) == []
 
 
 def test_what_waits_of_an_erased_patient_goes_and_that_of_others_stays(paths: UserPaths) -> None:
-    window = WaitingWork(paths.waiting_orders_folder)
+    window = waiting(paths.waiting_orders_folder)
     for number in "12":
         window.keep(f"order-{number}", f"visit-{number}", {"number": f"26-{number}"})
     window.close()
     forget_leftovers(Traces.of(("Anna Berg",), {"visit-1"}), paths)
-    next_window = WaitingWork(paths.waiting_orders_folder)
+    next_window = waiting(paths.waiting_orders_folder)
     (left,) = next_window.take_over()
     assert left.visit_id == "visit-2"
     next_window.close()
 
 
-def test_damaged_work_is_set_aside(tmp_path: Path) -> None:
-    window = WaitingWork(tmp_path)
+def test_damaged_work_is_set_aside_and_told(tmp_path: Path) -> None:
+    window = waiting(tmp_path)
     window.keep("photo-1", "visit-1", {})
     window.close()
     (file,) = tmp_path.rglob("*.json")
     file.write_text('{"visit": ')
-    assert WaitingWork(tmp_path).take_over() == []
+    told: list[str] = []
+    assert WaitingWork(tmp_path, told.append).take_over() == []
     (kept,) = [path for path in tmp_path.rglob("*") if path.is_file()]
     assert "broken" in kept.name
+    (sentence,) = told
+    assert str(kept) in sentence
+
+
+@pytest.mark.parametrize("kind", ["photos", "orders"])
+def test_what_the_record_can_never_take_is_told_once_and_set_aside(
+    kind: str, visit_id: str, paths: UserPaths, request: pytest.FixtureRequest
+) -> None:
+    """Neither marks that are no pairs nor an order without files are tried again for ever."""
+    folder = paths.data_folder / "waiting" / kind
+    with closing(record_of(paths)) as records:
+        (photo,) = records.photos.of_visit(visit_id)
+    window = waiting(folder)
+    window.keep(photo.id, visit_id, {"caption": "", "marks": [{"points": [1]}], "revision": 1})
+    window.close()
+    services = request.getfixturevalue("clinic").services  # opened only now
+    rest = request.getfixturevalue("rest")
+    rest()
+    services.clinic.state_changed.emit()
+    rest()
+    (told,) = services.messages.dialogs
+    assert list(folder.rglob("*.json")) == []
+    (kept,) = folder.rglob("*.broken-*")
+    assert str(kept) in told.text()
+
+
+def waiting(folder: Path) -> WaitingWork:
+    """Return the work of a window that has nothing to tell."""
+    return WaitingWork(folder, pytest.fail)
