@@ -3,24 +3,33 @@
 from __future__ import annotations
 
 import ast
+import json
 from collections.abc import Iterator
+from contextlib import closing
+from dataclasses import replace
+from datetime import date, timedelta
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PySide6.QtWidgets import QApplication
 
 import insole_core.records
+from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
-from insole_core.records.author import Proof, Role
+from insole_core.records.author import Author, Proof, Role
+from insole_core.records.open import open_records
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
-from insole_core.records.record_field import fields_of
+from insole_core.records.place import RecordsPlace
+from insole_core.records.record_field import Choice, Day, Field, Number, fields_of
 from insole_core.records.retention import ErasureReason
-from insole_core.records.visit import Visit
+from insole_core.records.visit import CaptureState, Visit
 from insole_studio.features.clinic.audit_texts import FIELDS, NAMES, WORDS, details_text
 from insole_studio.texts import load_language
 
 CORE = Path(insole_core.records.__file__).parents[1]
+DAY = date(2026, 4, 2)
 WRITES = ("log", "log_each", "_log", "append", "append_each")
 
 
@@ -47,14 +56,33 @@ def test_every_field_that_a_line_lists_has_a_name(tmp_path: Path) -> None:
     """Whatever is changed of a person and of a visit."""
     who = Author("anna", "desk")
     with closing(open_records(RecordsPlace.local(tmp_path / "record"), who)) as records:
-        added = records.persons.add(Person("Anna Berg"))
-        visit = records.visits.add(Visit(added.id, date(2026, 4, 2)))
-        records.persons.edit(replace(added, **others(Person)), added)
-        records.visits.edit(replace(visit, **others(Visit)), visit.revision)
-        lines = records.audit.entries()
-    listed = {name for line in lines for name in line.details.get("fields", "").split()}
-    assert listed == others(Person).keys() | others(Visit).keys()
-    assert listed - FIELDS.keys() == set()
+        person = records.persons.add(Person("Anna Berg"))
+        visit = records.visits.add(Visit(person.id, DAY - timedelta(days=1)))
+        changed = replace(person, **{n: filled(f) for n, f in fields_of(Person).items()})
+        records.persons.change(changed, person.revision)
+        changed_visit = replace(visit, **{n: filled(f) for n, f in fields_of(Visit).items()})
+        records.visits.change(changed_visit, visit.revision)
+        details = [json.loads(line.details) for line in records.audit.lines()]
+    listed = [name for each in details for name in each.get("fields", "").split()]
+    assert sorted(listed) == sorted([*fields_of(Person), *fields_of(Visit)])
+    assert set(listed) - FIELDS.keys() == set()
+
+
+def filled(field: Field) -> Any:
+    """Return a value that the field can hold, and does not hold at first."""
+    made = {
+        "personal number": "19811228-9874",
+        "measures": {"left_length_mm": 251.0},
+        "state of the capture": CaptureState.WANTED,
+        "terms of the order": OrderTerms(colour="black"),
+    }
+    if field.noun in made:
+        return made[field.noun]
+    if isinstance(field, Number):
+        return field.least + 0.5
+    if isinstance(field, Choice):
+        return next(reversed(field.names))
+    return DAY if isinstance(field, Day) else f"other {field.noun}"
 
 
 @pytest.mark.parametrize("words", [OrderState, ErasureReason, Side, Role, Proof])
