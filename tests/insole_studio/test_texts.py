@@ -145,7 +145,7 @@ def _formats_a_number(node: ast.AST) -> bool:
 
 
 @pytest.mark.parametrize(
-    "word", ["boll", "trampan", "hälkopp", "skive", "förskriv", "register", "upptagning"]
+    "word", ["boll", "trampan", "hälkopp", "skive", "förskriv", "regist", "upptagning"]
 )
 def test_one_thing_has_one_swedish_word(word: str) -> None:
     """The words are: trampdyna, hälskål, hälskivning, ordination, journal, avbildning."""

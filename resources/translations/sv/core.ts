@@ -2913,7 +2913,7 @@
         </message>
         <message>
             <source>The file {name} of the record is missing in {folder}; restore it from a backup.</source>
-            <translation>Registrets fil {name} saknas i {folder}; återställ den från en säkerhetskopia.</translation>
+            <translation>Journalens fil {name} saknas i {folder}; återställ den från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>The finding "{finding}" proposes the pad {kind} {size}, and the pad library has none; choose another one in the clinic's findings.</source>
@@ -3329,7 +3329,7 @@
         </message>
         <message>
             <source>The record refers to a file by "{name}", which is no SHA-256; restore the database from a backup.</source>
-            <translation>Registret hänvisar till en fil med ”{name}”, som inte är någon SHA-256; återställ databasen från en säkerhetskopia.</translation>
+            <translation>Journalen hänvisar till en fil med ”{name}”, som inte är någon SHA-256; återställ databasen från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>The record was brought up to date; as it was before, it is kept as “{copy}”.</source>
@@ -3865,7 +3865,7 @@
         </message>
         <message>
             <source>There is no order {number} in the record; check the number.</source>
-            <translation>Det finns ingen beställning {number} i registret; kontrollera numret.</translation>
+            <translation>Det finns ingen beställning {number} i journalen; kontrollera numret.</translation>
         </message>
         <message>
             <source>There is no screen to open a window on; start Insole Studio at the desktop of the computer. What works without one says insole-studio --help.</source>
@@ -3977,7 +3977,7 @@
         </message>
         <message>
             <source>This photo is no longer in the record; open the photos again.</source>
-            <translation>Fotot finns inte längre i registret; öppna fotona igen.</translation>
+            <translation>Fotot finns inte längre i journalen; öppna fotona igen.</translation>
         </message>
         <message>
             <source>This version is closed already; it stays as it is.</source>
@@ -3989,7 +3989,7 @@
         </message>
         <message>
             <source>This version of the prescription is not in the record any more; look at its history.</source>
-            <translation>Den här versionen av ordinationen finns inte längre i registret; titta i dess historik.</translation>
+            <translation>Den här versionen av ordinationen finns inte längre i journalen; titta i dess historik.</translation>
         </message>
         <message>
             <source>This visit is no longer in the record; open the person again.</source>
@@ -4173,7 +4173,7 @@
         </message>
         <message>
             <source>Verifying the files of the record</source>
-            <translation>Kontrollerar registrets filer</translation>
+            <translation>Kontrollerar journalens filer</translation>
         </message>
         <message>
             <source>Verifying {count} signatures</source>
@@ -4353,7 +4353,7 @@
         </message>
         <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
-            <translation>Du är inte inloggad; logga först in med ditt konto i registret.</translation>
+            <translation>Du är inte inloggad; logga först in med ditt konto i journalen.</translation>
         </message>
         <message>
             <source>Zones of other density are for insoles only; choose the insole as the piece, or no printer.</source>
@@ -7677,11 +7677,11 @@
         </message>
         <message>
             <source>{count} files of the record are missing, the first is {first}; restore them from a backup.</source>
-            <translation>{count} av registrets filer saknas, den första är {first}; återställ dem från en säkerhetskopia.</translation>
+            <translation>{count} av journalens filer saknas, den första är {first}; återställ dem från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{count} files were changed since the record stored them, the first is {first}; restore them from a backup.</source>
-            <translation>{count} filer har ändrats sedan registret sparade dem, den första är {first}; återställ dem från en säkerhetskopia.</translation>
+            <translation>{count} filer har ändrats sedan journalen sparade dem, den första är {first}; återställ dem från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.</source>
@@ -7717,7 +7717,7 @@
         </message>
         <message>
             <source>{count} rows of {table} refer to something that is not there; restore the record from a backup.</source>
-            <translation>{count} rader i {table} hänvisar till något som inte finns; återställ registret från en säkerhetskopia.</translation>
+            <translation>{count} rader i {table} hänvisar till något som inte finns; återställ journalen från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{count} sensors were named, but at most {most} work.</source>
@@ -7725,7 +7725,7 @@
         </message>
         <message>
             <source>{count} signed prescriptions are gone, the first is {first}; compare the record with a backup.</source>
-            <translation>{count} signerade ordinationer är borta, den första är {first}; jämför registret med en säkerhetskopia.</translation>
+            <translation>{count} signerade ordinationer är borta, den första är {first}; jämför journalen med en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{count} signed prescriptions are not what was signed, the first is {first}; compare them with a backup.</source>
@@ -8717,7 +8717,7 @@
         </message>
         <message>
             <source>{path} was changed since the record stored it; restore it from a backup.</source>
-            <translation>{path} har ändrats sedan registret sparade den; återställ den från en säkerhetskopia.</translation>
+            <translation>{path} har ändrats sedan journalen sparade den; återställ den från en säkerhetskopia.</translation>
         </message>
         <message>
             <source>{path} was changed while it was being stored; try again.</source>
