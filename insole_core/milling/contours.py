@@ -32,6 +32,8 @@ _SECTION_MM = 0.25
 _PITCH_MM = 0.5
 _SEARCH_MM = 1.0
 """Pitch of the map that tells where there is still a wall."""
+_STRAIGHT_MM = 0.2
+"""Radius of a helix below which it would have too many turns."""
 _FREE_STEPS = 2
 """Above a way along an edge, the walls have been cut free."""
 
@@ -267,9 +269,10 @@ def _bore(
 ) -> FloatArray:
     """Return a path (n, 3) that bores a hole in a helix, and a circle at its bottom.
 
-    A hole as wide as the cutter is bored straight down.
+    A hole hardly wider than the cutter is bored straight down.
     """
-    fall_mm = min(step_down_mm, RAMP * 2 * np.pi * radius_mm) or height_mm
+    round_mm = 2 * np.pi * radius_mm
+    fall_mm = height_mm if radius_mm < _STRAIGHT_MM else min(step_down_mm, RAMP * round_mm)
     turns = int(np.ceil(height_mm / fall_mm))
     angle = np.linspace(0, 2 * np.pi * (turns + 1), 32 * (turns + 1) + 1)
     circle = np.array(place) + radius_mm * np.column_stack([np.cos(angle), np.sin(angle)])

@@ -35,6 +35,7 @@ _USUAL_ACCELERATION_MM_S2 = (500.0, 500.0, 200.0)
 _CHANGING = ("G20", "G91")
 """Inches and relative places; programs are in millimetres and absolute."""
 _COMMENT = re.compile(r"\([^()]*\)|;.*$")
+_OFFSETS = re.compile(r"G5[4-9](?![\d.])")
 _WORD = re.compile(r"([A-Z])(-?\d+(?:\.\d*)?|-?\.\d+)")
 
 
@@ -203,9 +204,7 @@ def read_machine(path: Path) -> Machine:
         acceleration_mm_s2=_acceleration(root),
         safe_height_mm=root.number("safe_height_mm", 1, 200),
         length_along=root.choice("length_along", get_args(Axis)),
-        work_offset=root.choice("work_offset", get_args(WorkOffset))
-        if "work_offset" in root.values
-        else _USUAL_OFFSET,
+        work_offset=_work_offset(root),
         origin=_origin(root.object("origin")),
         cutters=cutters,
         roughing=_roughing(root.object("roughing"), cutters),
@@ -242,6 +241,37 @@ def _as_json(value: Any) -> dict[str, Any]:
         else plain(getattr(value, field.name))
         for field in fields(value)
     }
+
+
+def _work_offset(root: JsonObject) -> WorkOffset:
+    """Return the offset that the file names; from before it could, the one of its header.
+
+    A line that selects another one is refused: the program would be milled at another place.
+    """
+    texts = root.object("texts")
+    selected = [
+        (field.name, word)
+        for field in fields(Texts)
+        if field.name in texts.values
+        for line in texts.texts(field.name)
+        for word in _OFFSETS.findall(_COMMENT.sub("", line))
+    ]
+    of_header = [word for key, word in selected if key == "header"]
+    chosen: WorkOffset = _USUAL_OFFSET
+    if "work_offset" in root.values:
+        chosen = root.choice("work_offset", get_args(WorkOffset))
+    elif of_header:
+        chosen = of_header[0]
+    for key, word in selected:
+        if word != chosen:
+            raise texts.fail(
+                key,
+                "selects {word}, and the program is made for {chosen}; take that word out, or set "
+                "work_offset",
+                word=word,
+                chosen=chosen,
+            )
+    return chosen
 
 
 def _acceleration(root: JsonObject) -> tuple[float, float, float]:

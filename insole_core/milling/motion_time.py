@@ -48,7 +48,7 @@ def motion_minutes(
 def _seconds(
     length_mm: FloatArray, along: FloatArray, speed_mm_s: FloatArray, acceleration_mm_s2: FloatArray
 ) -> FloatArray:
-    """Return the time of pieces (m,) with unit directions (m, 3)."""
+    """Return the time in s of pieces (m,) with unit directions (m, 3) and ordered speeds (m,)."""
     acceleration = _least_over_axes(acceleration_mm_s2, along)
     corner2 = _corner_speeds2(along, speed_mm_s, acceleration_mm_s2)
     ends2 = _reached(corner2, 2 * acceleration * length_mm)
@@ -60,7 +60,7 @@ def _seconds(
 
 
 def _least_over_axes(limit: FloatArray, along: FloatArray) -> FloatArray:
-    """Return the greatest value (m,) along directions (m, 3) that no axis exceeds its limit by."""
+    """Return the greatest value (m,) along directions (m, 3) with no axis beyond its limit."""
     share = np.maximum(np.abs(along), 1e-9)
     return np.asarray((limit / share).min(axis=1))
 
@@ -68,7 +68,7 @@ def _least_over_axes(limit: FloatArray, along: FloatArray) -> FloatArray:
 def _corner_speeds2(
     along: FloatArray, speed_mm_s: FloatArray, acceleration_mm_s2: FloatArray
 ) -> FloatArray:
-    """Return the squared speeds (m + 1,) that corners allow; the first and the last are 0."""
+    """Return the squared speeds (m + 1,), mm²/s², that corners allow; both ends are at rest."""
     before, after = along[:-1], along[1:]
     # Sine of half the angle between the pieces: 1 goes straight on, 0 turns back.
     straight = np.sqrt(np.clip((1 + (before * after).sum(axis=1)) / 2, 0, 1))
@@ -83,7 +83,14 @@ def _corner_speeds2(
 
 
 def _reached(corner2: FloatArray, gained2: FloatArray) -> FloatArray:
-    """Return the squared speeds (m + 1,) at the ends of pieces, on which the speed is gained.
+    """Return the squared speeds (m + 1,), mm²/s², at the ends of pieces.
+
+    Parameters
+    ----------
+    corner2 : (m + 1,) float64, mm²/s²
+        Allowed at the ends.
+    gained2 : (m,) float64, mm²/s²
+        By which the squared speed may grow, or fall, along each piece.
 
     u[i] = min(corner2[i], u[i - 1] + gained2[i - 1]), then the same from the end: the least, over
     all corners passed before, of what that corner allowed and all that was gained since.

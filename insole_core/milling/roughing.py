@@ -157,9 +157,10 @@ class _Level:
         return without_collinear(points[kept])
 
     def _ramped(self, line: int, nodes: IntArray, from_mm: float) -> FloatArray:
-        """Return a way (n, 3) along nodes that sinks to the level no steeper than the ramp.
+        """Return a way (n, 3) along nodes, from a height in the block down to the level.
 
-        Where it stays above the level, it goes back and forth there until it has sunk.
+        It sinks no steeper than the ramp. Where it stays above the level, it goes back and forth
+        there until it has sunk.
         """
         level = self._heights_mm[line, nodes]
         if len(nodes) <= self._shortest:
@@ -195,7 +196,7 @@ class _Level:
         return [*pieces, *(self._way(line, nodes[way], level_mm[way]) for way in (_BACK, _FORTH))]
 
     def _sinking(self, level_mm: FloatArray, from_mm: float) -> FloatArray:
-        """Return the heights (n,) of a way from a height down to the level, along the ramp."""
+        """Return the heights (n,) of a way from one in the block down to the level, on a ramp."""
         fallen_mm = RAMP * self._raster.surface.step_mm * np.arange(len(level_mm))
         lifted = level_mm + fallen_mm
         lifted[0] = max(lifted[0], from_mm)

@@ -20,7 +20,7 @@ MOST_TEXT: Final = 20_000
 _LINE_BREAKS: Final = "\n\t"
 
 
-def check_name(text: str, what: str = "name") -> str:
+def check_name(text: str, what: str = "name", most: int = MOST_NAME) -> str:
     """Return a name without spaces around it, in the composed form of its letters.
 
     Parameters
@@ -33,7 +33,7 @@ def check_name(text: str, what: str = "name") -> str:
     InputError
         When it is empty, too long, or holds control characters.
     """
-    text = check_line(text, what)
+    text = check_line(text, what, most)
     if not text:
         raise InputError("The {what} is missing; type one.", what=what)
     return text

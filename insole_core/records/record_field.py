@@ -160,7 +160,7 @@ class Line(Typed):
     def checked(self, value: Any, today: date) -> str:
         """Return the text without spaces around it."""
         if self.is_needed:
-            return check_name(value, self.noun)
+            return check_name(value, self.noun, self.most)
         check = check_text if self.has_breaks else check_line
         return check(value, self.noun, self.most)
 

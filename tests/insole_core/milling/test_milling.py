@@ -338,6 +338,24 @@ def test_what_is_solid_is_entered_by_ramps_and_cut_no_deeper_than_a_step(form, b
             assert (moves.depth_mm[moves.falls & cuts] > 1).sum() < 5
 
 
+def test_a_machine_file_from_before_keeps_the_offset_of_its_header(tmp_path):
+    content = json.loads(resource_path("milling/linuxcnc.json").read_text())
+    del content["work_offset"]
+    content["texts"]["header"] += ["G55 (of the left table, not G54)"]
+    path = Path(tmp_path / "machine.json")
+    path.write_text(json.dumps(content))
+    assert read_machine(path).work_offset == "G55"
+
+
+@pytest.mark.parametrize("dowel_mm", [6.0, 6.002, 8.0])
+def test_a_dowel_hole_of_any_width_is_a_short_path(dowel_mm):
+    how = machine()
+    how = replace(how, both_sides=replace(how.both_sides, dowel_diameter_mm=dowel_mm))
+    plan = plan_milling([solid()], BLOCK_MM, how, both_sides=True)
+    assert plan.operations[0].name == "dowels"
+    assert len(plan.operations[0].points_mm) < 1500
+
+
 def test_the_chosen_work_offset_stands_in_the_program():
     for chosen in ("G54", "G57"):
         plan = plan_milling([solid()], BLOCK_MM, replace(machine(), work_offset=chosen))
@@ -478,6 +496,7 @@ def test_a_machine_is_kept_as_it_is(tmp_path, name):
         (("acceleration_mm_s2",), [500, 0, 500], "acceleration_mm_s2"),
         (("cutters", 0, "flute_mm"), 61.0, r"cutters\[0\].flute_mm is 61"),
         (("cutters", 0, "flute_mm"), 4.0, "roughing.step_down_mm is 6"),
+        (("texts", "header"), ["G55"], "texts.header selects G55, and the program is made for G54"),
         (("work_offset",), "G92", 'work_offset is "G92", but must be "G54", "G55"'),
         (("texts", "parking"), ["G0 Z{high}"], 'has the word "high", which no controller'),
     ],

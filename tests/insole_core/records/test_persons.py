@@ -69,6 +69,12 @@ def test_what_is_no_name_is_refused(records: Records, name: str, reason: str) ->
     assert names(records, "") == []
 
 
+def test_a_pseudonym_fits_on_a_label(records: Records) -> None:
+    assert records.persons.add(Person("Anna", pseudonym="K" * 60)).pseudonym == "K" * 60
+    with pytest.raises(InputError, match="The pseudonym has 61 characters, and may have 60"):
+        records.persons.add(Person("Ben", pseudonym="K" * 61))
+
+
 @pytest.mark.parametrize("born", [date(1899, 12, 31), TODAY + timedelta(days=1)])
 def test_an_impossible_birth_date_is_refused(records: Records, born: date) -> None:
     with pytest.raises(InputError, match="birth date"):
