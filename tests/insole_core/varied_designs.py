@@ -28,7 +28,11 @@ from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 
-ROUND = ((-40.0, 0.0), (40.0, 0.0), (40.0, 250.0), (-40.0, 250.0))
+ROUND = (
+    (0.0, -130.0), (20.0, -113.0), (35.0, -65.0), (40.0, 0.0), (35.0, 65.0), (20.0, 113.0),
+    (0.0, 130.0), (-20.0, 113.0), (-35.0, 65.0), (-40.0, 0.0), (-35.0, -65.0), (-20.0, -113.0),
+)  # fmt: skip
+"""A closed line that may be a pad, the inside of a shoe, and a drawn outline."""
 SHARES = (0.0, 0.3, 0.6, 1.0)
 FORM = Form(
     name="Flat", length_mm=250, ball_width_mm=95, along_shares=SHARES, across_shares=SHARES,
@@ -87,8 +91,9 @@ def others_of(part: Any, name: str) -> Iterator[Any]:
     elif isinstance(value, float | int):
         yield value + (0.1 if -1 <= value <= 1 else 1)
     elif isinstance(value, tuple) and value and isinstance(value[0], float):
-        yield (value[0] + 1.5, *value[1:])
-        yield (*value[:-1], value[-1] + 1.5)
+        more = 0.1 if max(value) <= 1 else 1.5
+        yield (value[0] + more, *value[1:])
+        yield (*value[:-1], value[-1] + more)
     elif isinstance(value, tuple) and value and isinstance(value[0], tuple):
         yield ((value[0][0] + 3.0, *value[0][1:]), *value[1:])
 
