@@ -23,11 +23,12 @@ from insole_core.errors import CalibrationError, InputError
 from insole_core.export.paper import paper_texts
 from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import CORRECTION_TYPES
+from insole_core.insole.elements import CORRECTION_TYPES, HeelSkive, Pelott
 from insole_core.insole.elements.pad_kinds import PAD_NAMES
 from insole_core.insole.elements.pelott import PAD_SHAPES
 from insole_core.insole.fields import Choice, Declared, declared
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.insole.prescription.shell import Post, Shell
@@ -47,6 +48,7 @@ from insole_core.solids.shop import read_shop
 from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms
 from insole_core.workflows.clinic_findings import ClinicFindings
 from insole_core.workflows.pad_library import load_pads
+from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.parameters.device_fields import shell_group
 from insole_studio.features.design.rows import ChoiceSpec
 from insole_studio.texts import load_language, translate_core_message
@@ -308,6 +310,25 @@ def test_every_word_of_a_prescription_has_a_swedish_one() -> None:
     fields = [found for kind in kinds for found in declared(kind).values()]
     words |= {word for found in fields for word in words_of(found)} - {""}
     assert words - CATALOGUE.keys() == set()
+
+
+def test_sides_and_pads_have_the_form_that_their_sentence_asks_for(
+    swedish: Callable[[str], str],
+) -> None:
+    (skived,) = design_differences(DESIGN, DESIGN.with_added(HeelSkive(border="lateral")))
+    assert swedish(skived) == "Nytt: hälskivning, lateral, 3 mm"
+    assert [swedish(word) for word in ("medial", "lateral")] == ["medial", "lateral"]
+    cut = Pelott(centre_mm=(0, 0), kind="first_ray_cut_out", shape="cut_out", height_mm=-2)
+    assert swedish(cut.noun) == "urtag första strålen"
+    assert name_of(cut) == "Urtag första strålen"
+
+
+@pytest.mark.usefixtures("swedish")
+def test_a_pad_that_is_new_in_the_core_is_named_in_the_language_of_the_window(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(PAD_NAMES, "new_kind", "cuboid raise")
+    assert name_of(Pelott(centre_mm=(0, 0), kind="new_kind")) == "Kuboidstöd"
 
 
 def test_every_field_of_the_record_has_swedish_words() -> None:

@@ -65,7 +65,7 @@
         </message>
         <message>
             <source>1st-ray cut-out</source>
-            <translation>Urtag första strålen</translation>
+            <translation>urtag första strålen</translation>
         </message>
         <message>
             <source>2nd head</source>
@@ -81,7 +81,7 @@
         </message>
         <message>
             <source>5th-ray cut-out</source>
-            <translation>Urtag femte strålen</translation>
+            <translation>urtag femte strålen</translation>
         </message>
         <message>
             <source>95 % are below</source>
@@ -5877,7 +5877,7 @@
         </message>
         <message>
             <source>lateral</source>
-            <translation>lateralt</translation>
+            <translation>lateral</translation>
         </message>
         <message>
             <source>lateral midfoot pain</source>
@@ -6021,7 +6021,7 @@
         </message>
         <message>
             <source>medial</source>
-            <translation>medialt</translation>
+            <translation>medial</translation>
         </message>
         <message>
             <source>medial flange</source>

@@ -236,6 +236,14 @@
             <translation>{along} mm längs ytan, {straight} mm rakt</translation>
         </message>
         <message>
+            <source>{angle}° valgus</source>
+            <translation>{angle}° valgus</translation>
+        </message>
+        <message>
+            <source>{angle}° varus</source>
+            <translation>{angle}° varus</translation>
+        </message>
+        <message>
             <source>{angle}° {kind}</source>
             <translation>{angle}° {kind}</translation>
         </message>

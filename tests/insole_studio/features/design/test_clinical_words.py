@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -172,3 +173,16 @@ def test_the_rearfoot_is_in_varus_or_valgus(
     grid = MeasureGrid(opened.window)
     grid.show_measures(measures)
     assert text in [label.text() for label in grid.findChildren(QLabel)]
+
+
+def test_a_swedish_angle_leans_to_its_side(
+    opened: Application, swedish: Callable[[str], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "insole_studio.features.design.patient.measure_texts.measure",
+        lambda _foot, _landmarks: {"achilles_lean_deg": -3.04, "rearfoot_angle_deg": 2.0},
+    )
+    said = {m.key: m.values for m in measures_of(opened.case.record)}
+    assert said["achilles_lean_deg"] == ("3,0° lateralt",)
+    assert said["rearfoot_angle_deg"] == ("2,0° valgus",)
+    assert swedish("lateral") == "lateral"

@@ -11,7 +11,7 @@ from insole_core.geometry.side import Side
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.features.design.rows import Measure
 from insole_studio.features.design.tools.key_point_tool import distances
-from insole_studio.texts import localised, tr, translate_core_message
+from insole_studio.texts import fill, localised, tr, translate_core_message
 
 _ABOUT = "≈"  # precedes an uncertain value; the tooltip gives the reason
 _NONE = "–"  # in the narrow columns of two feet, where the scan shows no value
@@ -36,11 +36,11 @@ _NAMES: dict[str, Callable[[], str]] = {
     "shoe_size_us": lambda: tr("Shoe size US"),
     "mondopoint": lambda: tr("Mondopoint"),
 }
-_SIDES: dict[str, Callable[[], str]] = {
-    "valgus": lambda: tr("valgus"),
-    "varus": lambda: tr("varus"),
-    "medial": lambda: tr("medial"),
-    "lateral": lambda: tr("lateral"),
+_TO_SIDES: dict[str, Callable[[], str]] = {
+    "valgus": lambda: tr("{angle}° valgus"),
+    "varus": lambda: tr("{angle}° varus"),
+    "medial": lambda: tr("{angle}° medial"),
+    "lateral": lambda: tr("{angle}° lateral"),
 }
 _SHORT_SIDES: dict[str, Callable[[], str]] = {
     "valgus": lambda: tr("valg."),
@@ -129,7 +129,7 @@ def _angle(row: MeasureRow, value: float, both: bool) -> str:
     word = definition.positive if value > 0 else definition.negative
     if round(value, _decimals(row)) == 0:
         return number if both else f"{number}°"
-    return f"{number}\n{_SHORT_SIDES[word]()}" if both else f"{number}° {_SIDES[word]()}"
+    return f"{number}\n{_SHORT_SIDES[word]()}" if both else fill(_TO_SIDES[word](), angle=number)
 
 
 def _decimals(row: MeasureRow) -> int:
