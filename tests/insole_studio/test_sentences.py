@@ -26,7 +26,8 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import CORRECTION_TYPES, HeelSkive, Pelott
 from insole_core.insole.elements.pad_kinds import PAD_NAMES
 from insole_core.insole.elements.pelott import PAD_SHAPES
-from insole_core.insole.fields import Choice, Declared, declared
+from insole_core.insole.fields import Choice, Declared, Number, declared
+from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.finish import Finish, RimStation
@@ -100,9 +101,13 @@ DEVICES = clinic_devices(NOWHERE).load().items.values()
 FORMS = clinic_forms(NOWHERE).load().items.values()
 FINDINGS = ClinicFindings(NOWHERE).load().items.values()
 DESIGN = InsoleDesign(Side.LEFT)
+FORM = Form(
+    name="", length_mm=250, ball_width_mm=95, along_shares=(), across_shares=(), heights_mm=()
+)
 PARTS = (
     DESIGN, DESIGN.outline, DESIGN.layers, Finish(), Shell(), Post(),
     RimStation(border="medial", along=0.0, height_mm=1.0), Shoe(name="", inside_mm=()),
+    FORM, BaseForm(form=FORM),
 )  # fmt: skip
 LIBRARY = (
     {text for item in (*DEVICES, *FORMS, *FINDINGS) for text in (item.name, item.source)}
@@ -339,7 +344,9 @@ def test_every_field_of_the_record_has_swedish_words() -> None:
 
 
 def words_of(found: Declared) -> Iterator[str]:
-    yield from (found.label, found.tip, found.within)
+    yield from (found.label, found.tip, found.within, found.main or "")
+    if isinstance(found, Number):
+        yield found.template
     yield from (word for pair in getattr(found, "each", ()) for word in pair)
     yield from (name for _, name in getattr(found, "offers", ()))
     if isinstance(found, Choice):

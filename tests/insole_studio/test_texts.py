@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import pytest
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication
-from varied_designs import FROM_FOOT, OTHERS
+from varied_designs import DRAWN, FROM_FOOT, OTHERS, varied
 
 import insole_studio
 from insole_core.export.paper import paper_texts
@@ -25,13 +25,15 @@ from insole_core.insole.elements import (
     Pelott,
     Posting,
 )
+from insole_core.insole.fields import Part
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.insole.prescription.shell import Shell
 from insole_core.messages import Message
 from insole_core.resources import resource_path
-from insole_studio.features.design.parameters.correction_fields import field_specs
+from insole_studio.features.design.parameters.correction_fields import editables, field_specs
 from insole_studio.texts import (
     CONTEXT,
     fill,
@@ -196,18 +198,66 @@ def test_all_that_a_prescription_says_has_swedish_words() -> None:
     assert missing == set()
 
 
+def test_all_that_differences_say_has_swedish_words() -> None:
+    translated, plain = catalogue(), InsoleDesign(Side.LEFT)
+    pairs = [(plain, design) for design in (FROM_FOOT, OTHERS, DRAWN)]
+    pairs += [(before, other) for _, before in pairs for *_, other in varied(before)]
+    said = [
+        line
+        for old, new in pairs
+        for a, b in ((old, new), (new, old))
+        for line in design_differences(a, b)
+    ]
+    missing = {word for line in said for word in _words_of(line) if not translated.get(word)}
+    assert missing == {"Boot", "Other", "felt pad"}  # names that somebody gave
+
+
 @pytest.mark.parametrize("language", ["en", "sv"])
 def test_the_papers_say_the_words_of_the_window(qapp: QApplication, language: str) -> None:
-    """Each label of a field stands on the paper of its design, in either language."""
+    """What is told of each part of a design begins with the label of its field."""
     load_language(qapp, language)
-    unsaid = []
-    for design in (FROM_FOOT, OTHERS):
-        said = "\n".join(map(translate_core_message, correction_lines(design)))
-        for correction in design.corrections:
-            specs = field_specs(correction, "p", design.side)
-            unsaid += [s.label for s in specs if ".mm." not in s.key and s.label not in said]
+    unsaid = [
+        (type(part).__name__, label)
+        for design in designs_on_paper()
+        for part, said in parts_on_paper(design)
+        for label in labels_of(part, design.side)
+        if not re.search(f"(^|[;:,] ){re.escape(label)} ", translate_core_message(said))
+    ]
     load_language(qapp, "en")
-    assert set(unsaid) - {"From axis", "From heel", "Från axeln", "Från hälen"} == set()
+    assert unsaid == []
+
+
+def designs_on_paper() -> list[InsoleDesign]:
+    """Designs of every field, also of those that are usually not set."""
+    whole = (FROM_FOOT, OTHERS, DRAWN)
+    unset = (found for design in whole for found in varied(design))
+    return [*whole, *(other for _, name, part, other in unset if getattr(part, name) is None)]
+
+
+def parts_on_paper(design: InsoleDesign) -> Iterator[tuple[Part, str]]:
+    """The parts of a design that the window has fields for, and what a paper says of each."""
+    yield from zip(design.corrections, correction_lines(design), strict=True)
+    facts, finish, shell = make_facts(design), design.finish, design.shell
+    assert finish is not None
+    assert shell is not None
+    parts = {
+        "insole": design, "outline": design.outline, "layers": design.layers, "finish": finish,
+        "shell": shell, "rearfoot post": shell.posts[0], "medial rim": finish.rim[0],
+    }  # fmt: skip
+    yield from ((part, facts[name]) for name, part in parts.items())
+
+
+def labels_of(part: Part, side: Side) -> list[str]:
+    """The labels of a part's fields, those for experts too; a place and a pair are told at once."""
+    keys = {
+        editable.key
+        for editable in editables(part)
+        if editable.number is None
+        and part.acts(editable.name)
+        and getattr(part, editable.name) is not None
+    }
+    specs = [s for expert in (False, True) for s in field_specs(part, "p", side, expert=expert)]
+    return [spec.label for spec in specs if spec.key.removeprefix("p.") in keys]
 
 
 def _words_of(text: str) -> set[str]:

@@ -25,7 +25,7 @@ VARIED = [
 ]
 SIGNATURE = {"author", "created_at"}
 NOT_ALONE = {("Pelott", "shape"), ("Outline", "source")}
-"""Choices of which some need another value beside them, so that files with them alone are refused."""
+"""Choices of which some need another value beside them: files with them alone are refused."""
 
 
 @pytest.mark.parametrize("design", [FROM_FOOT, OTHERS, DRAWN], ids=lambda d: d.outline.source)
@@ -57,8 +57,7 @@ def test_a_choice_that_needs_another_value_is_read_where_it_needs_none(
         other
         for design in (FROM_FOOT, OTHERS, DRAWN)
         for part, field, _, other in varied(design)
-        if (part.__name__, field) == (kind, name)
-        and reading(written(other)) == other
+        if (part.__name__, field) == (kind, name) and reading(written(other)) == other
     ]
 
 
