@@ -38,6 +38,7 @@ from insole_studio.user_paths import UserPaths
 from tests.patience import PATIENCE_MS
 
 LENGTH_MM = 250.0
+MAKE_FILE = open_module._make_file
 
 
 @cache  # what the core keeps of a foot, its landmarks and its sole, then serves every test
@@ -82,6 +83,12 @@ def quick_records(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         patch.setattr(open_module, "_make_file", make_migrated)
         keep_quickly(patch)
         yield
+
+
+@pytest.fixture
+def unmade_tables(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a new record begin empty, as in the product, which makes its tables."""
+    monkeypatch.setattr(open_module, "_make_file", MAKE_FILE)
 
 
 @pytest.fixture

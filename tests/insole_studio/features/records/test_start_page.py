@@ -54,6 +54,13 @@ def test_the_search_line_has_the_focus_and_the_panels_have_gone(clinic: Applicat
     assert clinic.stage.steps.isVisible()
 
 
+@pytest.mark.usefixtures("unmade_tables")
+def test_the_window_makes_the_tables_of_a_new_record(clinic: Application, records: Records) -> None:
+    assert clinic.services.clinic.trouble == ""
+    assert records.upgrade is None
+    assert records.persons.add(Person("Anna Berg")).revision == 1
+
+
 def test_patients_are_found_as_they_are_typed_and_enter_opens_the_first(
     clinic: Application, records: Records, rest: Callable[[], None], qtbot: QtBot
 ) -> None:
