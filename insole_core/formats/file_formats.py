@@ -230,6 +230,7 @@ def check_scan_suffix(path: Path) -> None:
     Raises
     ------
     InputError
+        When it is; what it is instead is said where its name tells.
     """
     if path.suffix.lower() in SCAN_SUFFIXES:
         return
@@ -265,6 +266,8 @@ def check_solid_suffix(path: Path, what: str = "the insole") -> None:
         )
 
 
-def read_rank(name: PurePath) -> int:
-    """Return which of several files of one scan is read: the one of the least rank."""
-    return mesh_format(name.suffix.lower()).rank
+def read_rank(name: PurePath) -> tuple[int, int]:
+    """Return the rank of a file among those of one scan, of which that of the least is read."""
+    suffix = name.suffix.lower()
+    form = mesh_format(suffix)
+    return form.rank, form.endings.index(suffix)

@@ -306,6 +306,14 @@ def folder_with(folder: Path, *names: str) -> Path:
     return folder
 
 
+@pytest.mark.parametrize(("suffixes", "read"), [
+    ((".asc", ".pts", ".xyz"), ".xyz"), ((".asc", ".pts"), ".asc"), ((".glb", ".gltf"), ".glb"),
+])  # fmt: skip
+def test_of_one_scan_in_several_forms_the_first_named_is_read(tmp_path, suffixes, read):
+    folder = folder_with(tmp_path / "visit", *(f"scan{suffix}" for suffix in suffixes))
+    assert [part.path.suffix for part in scan_parts(folder)] == [read]
+
+
 def test_an_archive_with_one_scan_and_its_texture(left_mesh, tmp_path):
     write_textured_obj(left_mesh, tmp_path)
     place = tmp_path / "phone.zip"
