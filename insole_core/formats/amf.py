@@ -5,9 +5,7 @@ A file is XML, or a zip archive of one. It is written as plain XML, which more p
 
 from __future__ import annotations
 
-from array import array
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 from xml.sax.saxutils import escape
@@ -17,11 +15,11 @@ import scipy
 
 from insole_core.files.atomic import replacing_file
 from insole_core.formats.bounded_xml import walk_xml
-from insole_core.formats.raw_surface import RawSurface, placed
+from insole_core.formats.raw_surface import Assembly, RawSurface, join_objects
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent
 from insole_core.formats.solid_content import SolidContent, SolidPart, merged
 from insole_core.formats.units import Unit
-from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.messages import Message
 from insole_core.zip_archive import ZipArchive
 
@@ -33,13 +31,8 @@ _AXES: Final = ("x", "y", "z")
 _CORNERS: Final = ("v1", "v2", "v3")
 _MOVES: Final = ("deltax", "deltay", "deltaz")
 _TURNS: Final = ("rx", "ry", "rz")
+_CONSTELLATION: Final = "constellation "  # some programs number them as they do objects
 _NUMBERS: Final = frozenset((*_AXES, *_CORNERS, *_MOVES, *_TURNS))
-
-
-@dataclass(eq=False)
-class _Object:
-    vertices: array[float] = field(default_factory=lambda: array("d"))
-    triangles: array[int] = field(default_factory=lambda: array("q"))
 
 
 def read_amf(source: ScanContent) -> RawSurface:
@@ -71,12 +64,11 @@ class _Model:
     """The objects and places of an AMF, as its elements come."""
 
     def __init__(self) -> None:
-        self._objects: dict[str, _Object] = {}
-        self._places: list[tuple[str, FloatArray]] = []
+        self._objects: dict[str, Assembly] = {}
         self._unit, self._factor = _UNITS["millimeter"]
-        self._current = _Object()
+        self._current = Assembly()
         self._instance = ""
-        self._numbers: dict[str, float] = {}
+        self._numbers: dict[str, str] = {}
         self._number: list[str] | None = None
 
     def start(self, name: str, attributes: dict[str, str]) -> None:
@@ -88,10 +80,13 @@ class _Model:
                 raise ValueError(Message("its unit {unit} is none of AMF", unit=unit[:20]))
             self._unit, self._factor = _UNITS[unit]
         elif name == "object":
-            self._current = self._objects.setdefault(attributes["id"], _Object())
+            self._current = self._objects.setdefault(attributes["id"], Assembly())
+        elif name == "constellation":
+            named = _CONSTELLATION + attributes.get("id", "")
+            self._current = self._objects.setdefault(named, Assembly())
         elif name == "instance":
             self._instance = attributes["objectid"]
-            self._numbers = dict.fromkeys((*_MOVES, *_TURNS), 0.0)
+            self._numbers = dict.fromkeys((*_MOVES, *_TURNS), "0")
 
     def text(self, text: str) -> None:
         """Take a part of the text of an element."""
@@ -101,49 +96,38 @@ class _Model:
     def end(self, name: str) -> None:
         """Take the end of an element."""
         if name in _NUMBERS:
-            self._numbers[name] = float("".join(self._number or ()))
+            self._numbers[name] = "".join(self._number or ())
         elif name == "coordinates":
-            self._current.vertices.extend(self._numbers.pop(axis) for axis in _AXES)
+            self._current.vertices.extend(float(self._numbers.pop(axis)) for axis in _AXES)
         elif name == "triangle":
-            corners = (self._numbers.pop(corner) for corner in _CORNERS)
-            self._current.triangles.extend(int(corner) for corner in corners)
+            self._current.triangles.extend(int(self._numbers.pop(corner)) for corner in _CORNERS)
         elif name == "instance":
-            self._places.append((self._instance, _object2file(self._numbers)))
+            self._current.parts.append((self._instance, _object2file(self._numbers)))
         self._number = None
 
     def surface(self) -> RawSurface:
         """Join the objects; those that no constellation places stay where they are."""
-        placed_ones = {name for name, _ in self._places}
-        rest = [(name, np.eye(4)) for name in self._objects if name not in placed_ones]
-        vertices: list[FloatArray] = []
-        triangles: list[IntArray] = []
-        start = 0
-        for name, object2file in (*self._places, *rest):
-            thing = self._objects[name]
-            points = np.frombuffer(thing.vertices or array("d"), float).reshape(-1, 3)
-            corners = np.frombuffer(thing.triangles or array("q"), np.int64).reshape(-1, 3)
-            if len(corners) and (corners.min() < 0 or corners.max() >= len(points)):
-                raise ValueError(Message("a triangle in it names a corner that it does not hold"))
-            vertices.append(placed(points, object2file))
-            triangles.append(corners + start)
-            start += len(points)
-        if not triangles:
+        for thing in self._objects.values():
+            thing.parts = [(self._meant(name), place) for name, place in thing.parts]
+        parts = {name for thing in self._objects.values() for name, _ in thing.parts}
+        build = [(name, np.eye(4)) for name in self._objects if name not in parts]
+        if not build:
             raise ValueError(Message("it holds no object"))
-        return RawSurface(
-            np.concatenate(vertices) * self._factor,
-            np.concatenate(triangles).astype(np.int32),
-            unit=self._unit,
-        )
+        vertices, triangles = join_objects(self._objects, build)
+        return RawSurface(vertices * self._factor, triangles, unit=self._unit)
+
+    def _meant(self, name: str) -> str:
+        return name if name in self._objects else _CONSTELLATION + name
 
 
-def _object2file(numbers: dict[str, float]) -> FloatArray:
+def _object2file(numbers: dict[str, str]) -> FloatArray:
     """Return the place (4, 4) of an instance: turned about x, y, then z, and moved."""
-    angles = np.array([numbers[turn] for turn in _TURNS])
+    angles = np.array([float(numbers[turn]) for turn in _TURNS])
     object2file = np.eye(4)
     object2file[:3, :3] = scipy.spatial.transform.Rotation.from_euler(
         "xyz", angles, degrees=True
     ).as_matrix()
-    object2file[:3, 3] = [numbers[move] for move in _MOVES]
+    object2file[:3, 3] = [float(numbers[move]) for move in _MOVES]
     if not np.isfinite(object2file).all():
         raise ValueError(Message("the place of an object in it is no number"))
     return object2file

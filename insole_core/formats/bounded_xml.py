@@ -45,7 +45,8 @@ def walk_xml(
 
     def refuse(*_: object) -> None:
         raise InputError(
-            "{path} declares entities in its model, which no scan does; do not use it.",
+            "{path} declares entities or a type of its document, which no scan does; do not use "
+            "it.",
             path=source.path,
         )
 

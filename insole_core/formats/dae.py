@@ -8,31 +8,33 @@ they return goes through the same checks as any scan.
 from __future__ import annotations
 
 import io
-from collections import defaultdict
+import zipfile
+from collections import Counter, defaultdict
 from typing import Any, Final
 from urllib.parse import unquote, urlsplit
 
 import collada
+import cv2
 import numpy as np
 from trimesh.exchange.dae import load_collada
 
 from insole_core.errors import InputError
 from insole_core.formats.bounded_xml import walk_xml
-from insole_core.formats.raw_surface import RawSurface, placed
+from insole_core.formats.raw_surface import RawSurface, join_placed
 from insole_core.formats.scan_content import ScanContent
 from insole_core.formats.texture import (
     MOST_TEXTURE_BYTES,
     NO_COLOR,
-    is_texture,
+    decode_texture,
     missing_texture,
     sampled,
 )
 from insole_core.formats.units import MM_PER_UNIT, Unit
-from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.arrays import ByteArray
 from insole_core.messages import Message
 
 _MOST_BYTES: Final = 128 * 2**20  # read in 1.5 GB; 1.8 million triangles
-_MOST_ELEMENTS, _MOST_PARTS = 100_000, 1000
+_MOST_ELEMENTS, _MOST_POLYGONS, _MOST_PARTS = 100_000, 1_000_000, 2000
 _HOLD_PARTS: Final = frozenset({"node", "visual_scene"})
 
 
@@ -56,6 +58,8 @@ def read_dae(source: ScanContent) -> RawSurface:
     seen = _Seen()
     walk_xml(source.content, source, seen.start, seen.end, seen.text)
     seen.check()
+    if zipfile.is_zipfile(io.BytesIO(source.content)):  # pycollada would read what is in it, unseen
+        raise ValueError(Message("it hides a zip archive"))
     beside = _Beside(source)
     try:
         scene = load_collada(io.BytesIO(source.content), beside, ignore_broken=False)
@@ -69,44 +73,59 @@ class _Seen:
 
     def __init__(self) -> None:
         self.metres_per_unit: float | None = None
-        self._count = 0
+        self._counts: Counter[bool] = Counter()
+        self._is_after_asset = False
         self._within: list[str] = []
         self._parts: dict[str, list[str]] = defaultdict(list)
-        self._source, self._last = "", ""
+        self._element, self._source, self._geometry, self._last = "", "", "", ""
+        self._polygon_bytes: Counter[str] = Counter()
         self._without_numbers: set[str] = set()
         self._positions: set[str] = set()
 
     def start(self, name: str, attributes: dict[str, str]) -> None:
         """Take the start of an element."""
-        self._count += 1
-        if self._count > _MOST_ELEMENTS:
+        is_polygon = name == "p"
+        self._counts[is_polygon] += 1
+        if self._counts[is_polygon] > (_MOST_POLYGONS if is_polygon else _MOST_ELEMENTS):
             raise ValueError(Message("it has far more parts than a scan"))
-        self._last = ""
+        self._element, self._last = name, ""
         if name == "source":
             self._source = attributes.get("id", "")
+        elif name == "geometry":
+            self._geometry = "#" + attributes.get("id", "")  # apart from the names of nodes
         elif name == "input" and attributes.get("semantic") == "POSITION":
             self._positions.add(attributes["source"].removeprefix("#"))
-        elif name == "unit":
-            self.metres_per_unit = float(attributes["meter"])
+        elif name == "unit" and not self._is_after_asset:
+            self.metres_per_unit = float(attributes.get("meter", 1.0))
         holder = self._within[-1] if self._within else ""
         if name in _HOLD_PARTS:
-            place = attributes.get("id") or f"unnamed {self._count}"
+            place = attributes.get("id") or f"unnamed {self._counts[False]}"
             self._parts[holder].append(place)
             self._within.append(place)
         elif name == "instance_node":
             self._parts[holder].append(attributes["url"].removeprefix("#"))
+        elif name == "instance_geometry":
+            self._parts[holder].append(attributes["url"])
 
     def text(self, text: str) -> None:
-        """Note numbers that are none: pycollada makes zeros of them."""
-        text = self._last + text.lower()
-        if "nan" in text:
-            self._without_numbers.add(self._source)
-        self._last = text[-2:]
+        """Note numbers that are none, of which pycollada makes zeros, and corners below 0."""
+        if self._element == "p":
+            self._polygon_bytes[self._geometry] += len(text)
+            if "-" in text:
+                raise ValueError(Message("a triangle in it names a corner that it does not hold"))
+        elif self._element == "float_array":
+            text = self._last + text.lower()
+            if "nan" in text:
+                self._without_numbers.add(self._source)
+            self._last = text[-2:]
 
     def end(self, name: str) -> None:
         """Take the end of an element."""
+        self._element = ""
         if name in _HOLD_PARTS:
             self._within.pop()
+        elif name == "asset":  # the first is of the document
+            self._is_after_asset = True
 
     def check(self) -> None:
         """Refuse what is no length or number, and parts that contain each other."""
@@ -115,12 +134,14 @@ class _Seen:
         metres = self.metres_per_unit
         if metres is not None and not 0 < metres < np.inf:
             raise ValueError(Message("its unit is no length"))
-        waiting, count = [""], 0
+        waiting, count, polygon_bytes = [""], 0, 0
         while waiting:
+            part = waiting.pop()
             count += 1
-            if count > _MOST_PARTS:
+            polygon_bytes += self._polygon_bytes[part]
+            if count > _MOST_PARTS or polygon_bytes > _MOST_BYTES:
                 raise ValueError(Message("its nodes contain each other, or are far too many"))
-            waiting += self._parts.get(waiting.pop(), ())
+            waiting += self._parts.get(part, ())
 
 
 class _Beside:
@@ -131,42 +152,36 @@ class _Beside:
         self.notes: dict[Message, None] = {}
 
     def get(self, name: str) -> bytes:
-        """Return the picture of a name; note it where there is none."""
-        path = unquote(urlsplit(name).path)
-        content = self._source.beside(path, MOST_TEXTURE_BYTES)
-        if content is None or not is_texture(content):
-            self.notes[missing_texture(path)] = None
+        """Return the picture of a name as a bitmap.
+
+        It is noted as missing until it is read: trimesh passes over whatever fails here.
+        """
+        missing = missing_texture(unquote(name))
+        self.notes[missing] = None
+        content = self._source.beside(unquote(urlsplit(name).path), MOST_TEXTURE_BYTES)
+        picture = None if content is None else decode_texture(content)
+        if picture is None:
             raise LookupError(name)
-        return content
+        del self.notes[missing]
+        return cv2.imencode(".bmp", picture[..., ::-1])[1].tobytes()
 
 
 def _joined(
     scene: dict[str, Any], metres_per_unit: float | None, notes: tuple[Message, ...]
 ) -> RawSurface:
     """Join the meshes of a scene, as trimesh describes it."""
-    vertices: list[FloatArray] = []
-    colors: list[ByteArray | None] = []
-    for item in scene["graph"]:
-        part = scene["geometry"][item["geometry"]]
-        node2scene = np.asarray(item["matrix"], float)
-        corners = placed(np.asarray(part["vertices"], float), node2scene)
-        painted = _colors(part)
-        if np.linalg.det(node2scene[:3, :3]) < 0:  # each triangle has corners of its own
-            corners = corners[::-1]
-            painted = None if painted is None else painted[::-1]
-        vertices.append(corners)
-        colors.append(painted)
-    if not vertices:
+    parts = [(scene["geometry"][item["geometry"]], item["matrix"]) for item in scene["graph"]]
+    if not parts:
         raise ValueError(Message("it holds no mesh"))
-    joined = np.concatenate(vertices)
+    vertices, triangles = join_placed(
+        (np.asarray(part["vertices"], float), part["faces"], np.asarray(node2scene, float))
+        for part, node2scene in parts
+    )
     unit, factor = _unit(metres_per_unit)
     return RawSurface(
-        joined * factor,
-        np.arange(len(joined), dtype=np.int32).reshape(-1, 3),
-        _all_colors(vertices, colors),
-        unit=unit,
+        vertices * factor, triangles, _all_colors([part for part, _ in parts]), unit=unit,
         notes=notes,
-    )
+    )  # fmt: skip
 
 
 def _colors(part: dict[str, Any]) -> ByteArray | None:
@@ -181,12 +196,13 @@ def _colors(part: dict[str, Any]) -> ByteArray | None:
     return sampled(picture, np.asarray(visual.uv, float))
 
 
-def _all_colors(vertices: list[FloatArray], colors: list[ByteArray | None]) -> ByteArray | None:
+def _all_colors(parts: list[dict[str, Any]]) -> ByteArray | None:
+    colors = [_colors(part) for part in parts]
     if all(part is None for part in colors):
         return None
     filled = (
-        np.full((len(points), 3), NO_COLOR, np.uint8) if part is None else part
-        for points, part in zip(vertices, colors, strict=True)
+        np.full((len(part["vertices"]), 3), NO_COLOR, np.uint8) if painted is None else painted
+        for part, painted in zip(parts, colors, strict=True)
     )
     return np.concatenate(list(filled))
 

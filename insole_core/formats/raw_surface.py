@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from array import array
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 import numpy as np
 
@@ -10,6 +13,10 @@ from insole_core.formats.units import Unit
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.contour_constraints import ContourConstraints
 from insole_core.geometry.transforms import rigid
+from insole_core.messages import Message
+
+_MOST_DEPTH, _MOST_PARTS = 64, 10_000
+_MOST_CORNERS: Final = 20_000_000  # as many as one file of the greatest size holds
 
 
 def _no_triangles() -> IndexArray:
@@ -73,3 +80,78 @@ def placed(vertices: FloatArray, a2b: FloatArray) -> FloatArray:
     """
     columns = [vertices[:, [axis]] * a2b[:3, axis] for axis in range(3)]
     return columns[0] + columns[1] + columns[2] + a2b[:3, 3]
+
+
+def join_placed(
+    meshes: Iterable[tuple[FloatArray, IntArray, FloatArray]],
+) -> tuple[FloatArray, IndexArray]:
+    """Join meshes, each moved to its place; a mirrored one stays the right way out.
+
+    Parameters
+    ----------
+    meshes
+        Vertices (n, 3), triangles (m, 3) and place (4, 4) of each, affine.
+
+    Returns
+    -------
+    vertices : (n, 3) float64
+    triangles : (m, 3) int32
+
+    Raises
+    ------
+    ValueError
+        When a triangle names a corner that its mesh does not hold, or all are far more than a scan.
+    """
+    vertices: list[FloatArray] = [np.empty((0, 3))]
+    triangles: list[IntArray] = [np.empty((0, 3), np.int64)]
+    start = corners = 0
+    for points, faces, place in meshes:
+        corners += max(len(points), len(faces))
+        if corners > _MOST_CORNERS:
+            raise ValueError(Message("it has far more corners than a scan"))
+        if len(faces) and (faces.min() < 0 or faces.max() >= len(points)):
+            raise ValueError(Message("a triangle in it names a corner that it does not hold"))
+        is_mirrored = np.linalg.det(place[:3, :3]) < 0
+        vertices.append(placed(points, place))
+        triangles.append((faces[:, ::-1] if is_mirrored else faces) + start)
+        start += len(points)
+    return np.concatenate(vertices), np.concatenate(triangles).astype(np.int32)
+
+
+@dataclass(eq=False)
+class Assembly:
+    """An object of a format of 3-D printing: a mesh, and other objects at their places."""
+
+    vertices: array[float] = field(default_factory=lambda: array("d"))
+    triangles: array[int] = field(default_factory=lambda: array("q"))
+    parts: list[tuple[str, FloatArray]] = field(default_factory=list)
+
+
+def join_objects(
+    objects: Mapping[str, Assembly], build: Sequence[tuple[str, FloatArray]]
+) -> tuple[FloatArray, IndexArray]:
+    """Join the objects that are built, by name and place (4, 4), as `join_placed` does.
+
+    Raises
+    ------
+    ValueError, LookupError
+        As `join_placed`; or when they contain each other, are too many, or one is not there.
+    """
+    return join_placed(_meshes(objects, build))
+
+
+def _meshes(
+    objects: Mapping[str, Assembly], build: Sequence[tuple[str, FloatArray]]
+) -> Iterable[tuple[FloatArray, IntArray, FloatArray]]:
+    waiting = [(name, place, 0) for name, place in build]
+    visited = 0
+    while waiting:
+        name, object2model, depth = waiting.pop()
+        visited += 1
+        if depth > _MOST_DEPTH or visited > _MOST_PARTS:
+            raise ValueError(Message("its objects contain each other, or are far too many"))
+        thing = objects[name]
+        points = np.frombuffer(thing.vertices or array("d"), float).reshape(-1, 3)
+        faces = np.frombuffer(thing.triangles or array("q"), np.int64).reshape(-1, 3)
+        yield points, faces, object2model
+        waiting += [(part, object2model @ place, depth + 1) for part, place in thing.parts]

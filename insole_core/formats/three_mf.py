@@ -8,9 +8,7 @@ object with a base material; its density is in a metadata group that other progr
 from __future__ import annotations
 
 import zipfile
-from array import array
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 from xml.sax.saxutils import escape, quoteattr
@@ -19,11 +17,11 @@ import numpy as np
 
 from insole_core.files.atomic import replacing_file
 from insole_core.formats.bounded_xml import SEPARATOR, walk_xml
-from insole_core.formats.raw_surface import RawSurface, placed
+from insole_core.formats.raw_surface import Assembly, RawSurface, join_objects
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent
 from insole_core.formats.solid_content import SolidContent, SolidPart
 from insole_core.formats.units import Unit
-from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
 from insole_core.zip_archive import ZipArchive
@@ -32,7 +30,6 @@ _UNITS: Final[dict[str, tuple[Unit, float]]] = {
     "millimeter": ("mm", 1.0), "centimeter": ("cm", 1.0), "meter": ("m", 1.0),
     "inch": ("inch", 1.0), "foot": ("inch", 12.0), "micron": ("mm", 0.001),
 }  # fmt: skip
-_MOST_DEPTH, _MOST_PARTS = 64, 10_000
 CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 OWN = "urn:insole-studio:2026"
 _RELATION = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
@@ -49,13 +46,6 @@ _RELATIONS = (
     f'<Relationship Target="/3D/3dmodel.model" Id="rel0" Type="{_RELATION}"/></Relationships>\n'
 )
 _FAST = 1  # shrinks the XML to a tenth already; a higher level costs seconds
-
-
-@dataclass(eq=False)
-class _Object:
-    vertices: array[float] = field(default_factory=lambda: array("d"))
-    triangles: array[int] = field(default_factory=lambda: array("q"))
-    components: list[tuple[str, FloatArray]] = field(default_factory=list)
 
 
 def read_three_mf(source: ScanContent) -> RawSurface:
@@ -85,12 +75,12 @@ class _Model:
     """The objects and the build of one or several parts of a 3MF."""
 
     def __init__(self) -> None:
-        self._objects: dict[str, _Object] = {}
+        self._objects: dict[str, Assembly] = {}
         self._build: list[tuple[str, FloatArray]] = []
         self._unit: Unit = "mm"
         self._factor = 1.0
         self._part = ""
-        self._current = _Object()
+        self._current = Assembly()
         self._starts: dict[str, Callable[[dict[str, str]], None]] = {
             "model": self._start_model,
             "object": self._start_object,
@@ -112,33 +102,10 @@ class _Model:
 
     def surface(self) -> RawSurface:
         """Join the objects of the build."""
-        vertices: list[FloatArray] = []
-        triangles: list[IntArray] = []
-        waiting = [(name, place, 0) for name, place in self._build]
-        start = visited = 0
-        while waiting:
-            name, object2model, depth = waiting.pop()
-            visited += 1
-            if depth > _MOST_DEPTH or visited > _MOST_PARTS:
-                raise ValueError(Message("its objects contain each other, or are far too many"))
-            thing = self._objects[name]
-            points = np.frombuffer(thing.vertices or array("d"), float).reshape(-1, 3)
-            corners = np.frombuffer(thing.triangles or array("q"), np.int64).reshape(-1, 3)
-            if len(corners) and (corners.min() < 0 or corners.max() >= len(points)):
-                raise ValueError(Message("a triangle in it names a corner that it does not hold"))
-            if np.linalg.det(object2model[:3, :3]) < 0:
-                corners = corners[:, ::-1]
-            vertices.append(placed(points, object2model))
-            triangles.append(corners + start)
-            start += len(points)
-            waiting += [(part, object2model @ place, depth + 1) for part, place in thing.components]
-        if not triangles:
+        if not self._build:
             raise ValueError(Message("it holds no object that is to be built"))
-        return RawSurface(
-            np.concatenate(vertices) * self._factor,
-            np.concatenate(triangles).astype(np.int32),
-            unit=self._unit,
-        )
+        vertices, triangles = join_objects(self._objects, self._build)
+        return RawSurface(vertices * self._factor, triangles, unit=self._unit)
 
     def _start_model(self, attributes: dict[str, str]) -> None:
         unit = attributes.get("unit", "millimeter")
@@ -147,7 +114,7 @@ class _Model:
         self._unit, self._factor = _UNITS[unit]
 
     def _start_object(self, attributes: dict[str, str]) -> None:
-        self._current = self._objects.setdefault(self._part + "#" + attributes["id"], _Object())
+        self._current = self._objects.setdefault(self._part + "#" + attributes["id"], Assembly())
 
     def _start_vertex(self, attributes: dict[str, str]) -> None:
         self._current.vertices.extend(
@@ -160,7 +127,7 @@ class _Model:
         )
 
     def _start_component(self, attributes: dict[str, str]) -> None:
-        self._current.components.append(self._reference(attributes))
+        self._current.parts.append(self._reference(attributes))
 
     def _start_item(self, attributes: dict[str, str]) -> None:
         self._build.append(self._reference(attributes))

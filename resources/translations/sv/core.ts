@@ -5624,8 +5624,16 @@
             <translation>den börjar inte med ”OFF” och antalet punkter och ytor</translation>
         </message>
         <message>
+            <source>it has far more corners than a scan</source>
+            <translation>den har långt fler hörn än en skanning</translation>
+        </message>
+        <message>
             <source>it has far more parts than a scan</source>
             <translation>den har långt fler delar än en skanning</translation>
+        </message>
+        <message>
+            <source>it hides a zip archive</source>
+            <translation>den döljer ett zip-arkiv</translation>
         </message>
         <message>
             <source>it holds a word where a number must stand</source>
@@ -8324,8 +8332,8 @@
             <translation>{path} kan inte skrivas; välj en annan plats.</translation>
         </message>
         <message>
-            <source>{path} declares entities in its model, which no scan does; do not use it.</source>
-            <translation>{path} deklarerar entiteter i sin modell, vilket ingen skanning gör; använd den inte.</translation>
+            <source>{path} declares entities or a type of its document, which no scan does; do not use it.</source>
+            <translation>{path} deklarerar entiteter eller en dokumenttyp, vilket ingen skanning gör; använd den inte.</translation>
         </message>
         <message>
             <source>{path} declares something twice or without a number in its header; export it again.</source>

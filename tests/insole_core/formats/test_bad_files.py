@@ -79,12 +79,41 @@ def behind(more: bytes) -> Change:
 
 
 def of_unit(metres: bytes) -> Change:
-    unit = b'<unit name="unit" meter="' + metres + b'"/>'
+    unit = b'<unit name="unit"' + (b' meter="' + metres + b'"' if metres else b"") + b"/>"
 
     def change(content: bytes) -> bytes:
         return re.sub(rb"<unit[^>]*/>|(?=</asset>)", unit, content, count=1)
 
     return change
+
+
+def instances(*names: bytes) -> bytes:
+    return b"".join(b'<instance objectid="' + name + b'"/>' for name in names)
+
+
+def constellation(name: bytes, *parts: bytes) -> bytes:
+    return b'<constellation id="' + name + b'">' + instances(*parts) + b"</constellation>"
+
+
+def many_corners(content: bytes) -> bytes:
+    vertex = re.search(rb"<vertex>.*?</vertex>", content, re.DOTALL)
+    assert vertex is not None
+    content = content.replace(b"</vertices>", vertex[0] * 5000 + b"</vertices>")
+    return content.replace(b"</amf>", constellation(b"9", *[b"2"] * 5000) + b"</amf>")
+
+
+def many_triangles(content: bytes) -> bytes:
+    content = re.sub(rb"<p>(.*?)</p>", lambda p: b"<p>" + p[1] + b" " * 2_000_000 + b"</p>",
+                     content, flags=re.DOTALL)  # fmt: skip
+    instance = re.search(rb"<instance_geometry.*?</instance_geometry>", content, re.DOTALL)
+    assert instance is not None
+    return content.replace(instance[0], instance[0] * 100)
+
+
+def hiding_an_archive(content: bytes) -> bytes:
+    end_of_archive = b"PK\5\6" + b"AA" * 9  # of any numbers that are letters
+    text = re.sub(r"^<\?.*?\?>", "", content.decode())
+    return ("\ufeff" + text + f"<!--{end_of_archive.decode('utf-16-le')}-->").encode("utf-16-le")
 
 
 def in_itself(content: bytes) -> bytes:
@@ -103,6 +132,14 @@ BAD: dict[str, tuple[str, Change, str]] = {
     "AMF, word for a number": (".amf", swapped(b"<x>0.0", b"<x>one"), "follow the rules"),
     "AMF, corner is no number": (".amf", swapped(b"<v1>0<", b"<v1>nan<"), "follow the rules"),
     "AMF without a coordinate": (".amf", swapped(b"<x>0.00000</x>", b""), "lacks 'x'"),
+    "AMF, corner between": (".amf", swapped(b"<v1>0<", b"<v1>0.9<"), "follow the rules"),
+    "AMF of a type": (".amf", behind_head(b"<!DOCTYPE amf>"), "a type of its document"),
+    "AMF, 5000 corners 5000 times": (".amf", many_corners, "far more corners"),
+    "AMF, circle": (
+        ".amf",
+        swapped(b"</amf>", constellation(b"8", b"9") + constellation(b"9", b"9") + b"</amf>"),
+        "contain each other",
+    ),
     "AMF without objects": (".amf", lambda _: b"<amf></amf>", "holds no object"),
     "AMF, archive of two": (".amf", packed("a.amf", "b.amf"), "no model, or several"),
     "AMF, archive without one": (".amf", packed("a.txt"), "no model, or several"),
@@ -119,6 +156,11 @@ BAD: dict[str, tuple[str, Change, str]] = {
     "COLLADA, unit of no length": (".dae", of_unit(b"-1"), "unit is no length"),
     "COLLADA, nodes in a circle": (".dae", in_itself, "contain each other"),
     "COLLADA, 100 000 parts": (".dae", behind(b"<node/>" * 100_000), "far more parts"),
+    "COLLADA, 1 000 000 polygons": (".dae", behind(b"<p/>" * 1_000_001), "far more parts"),
+    "COLLADA, large mesh 100 times": (".dae", many_triangles, "far too many"),
+    "COLLADA, corner below": (".dae", swapped(b"<p>0", b"<p>-1"), "corner that it does not hold"),
+    "COLLADA of a type": (".dae", behind_head(b"<!DOCTYPE COLLADA>"), "a type of its document"),
+    "COLLADA that hides an archive": (".dae", hiding_an_archive, "hides a zip archive"),
     "COLLADA, archive": (".dae", packed("foot.dae"), "zip archive"),
     "STL in the name of an AMF": (".amf", lambda _: b"solid x\n", "something else than its name"),
 }
@@ -171,9 +213,43 @@ def test_bodies_of_one_assembly_are_one_object_of_an_amf(tmp_path: Path) -> None
     assert len(read_raw(file_content(path)).triangles) == 3 * len(FACES)
 
 
+def test_constellations_of_an_amf_hold_each_other(tmp_path: Path) -> None:
+    inner = constellation(b"3", b"2").replace(b"/>", b"><deltax>5</deltax></instance>")
+    outer = constellation(b"2", b"3", b"3").replace(b"/>", b"><deltay>7</deltay></instance>", 1)
+    path = tmp_path / "foot.amf"  # one is numbered as the object is
+    path.write_bytes(amf(tmp_path).replace(b"</amf>", outer + inner + b"</amf>"))
+    raw = read_raw(file_content(path))
+    moves = np.array([[5.0, 0, 0], [5, 7, 0]])
+    expected = (CORNERS + moves[:, None]).reshape(-1, 3)
+    assert np.unique(raw.vertices, axis=0) == pytest.approx(np.unique(expected, axis=0))
+
+
+SOUND_DAE: dict[str, Change] = {
+    "a picture named as no number": swapped(
+        b"</source>", b"</source><extra><init_from>Hernandez.png</init_from></extra>"),
+    "a unit of another part": swapped(
+        b"<library_geometries>",
+        b'<library_geometries><asset><created>2026-01-01</created><modified>2026-01-01</modified>'
+        b'<unit name="inch" meter="0.0254"/></asset>'),
+    "100 000 polygons": swapped(
+        b"</mesh>",
+        b"<polygons><input semantic='VERTEX' source='#verts-array-vertices' offset='0'/>"
+        + b"<p>0 1 2</p>" * 100_000 + b"</polygons></mesh>"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", SOUND_DAE)
+def test_a_sound_collada_is_read(what: str, tmp_path: Path) -> None:
+    path = tmp_path / "foot.dae"
+    path.write_bytes(SOUND_DAE[what](of_unit(b"0.001")(dae(tmp_path))))
+    raw = read_raw(file_content(path))
+    assert raw.unit == "mm"
+    assert raw.vertices[raw.triangles[: len(FACES)]] == pytest.approx(CORNERS[FACES])
+
+
 @pytest.mark.parametrize(("metres", "unit", "factor"), [
     (b"0.001", "mm", 1.0), (b"0.01", "cm", 1.0), (b"1", "m", 1.0), (b"0.0254", "inch", 1.0),
-    (b"0.1", "m", 0.1),
+    (b"0.1", "m", 0.1), (b"", "m", 1.0),
 ])  # fmt: skip
 def test_a_collada_states_its_unit(metres: bytes, unit: str, factor: float, tmp_path: Path) -> None:
     path = tmp_path / "foot.dae"
@@ -200,7 +276,18 @@ def test_a_node_of_a_collada_moves_and_mirrors_its_mesh(tmp_path: Path) -> None:
     assert mesh.volume_mm3 == pytest.approx(TETRA.volume_mm3)
 
 
-@pytest.mark.parametrize("texture", ["skin.png", "../skin.png", "none.png"])
+@pytest.mark.parametrize(
+    "texture",
+    [
+        "skin.png",
+        "deep.png",
+        "../skin.png",
+        "none.png",
+        "cut.png",
+        "head.png",
+        "http://[skin.png",
+    ],
+)
 def test_the_texture_of_a_collada_lies_beside_it(texture: str, tmp_path: Path) -> None:
     folder = tmp_path / "scan"
     folder.mkdir()
@@ -208,6 +295,10 @@ def test_the_texture_of_a_collada_lies_beside_it(texture: str, tmp_path: Path) -
     picture[:, :4] = (20, 10, 200)  # blue, green, red, as OpenCV has them
     for place in (folder, tmp_path):
         cv2.imwrite(str(place / "skin.png"), picture)
+    cv2.imwrite(str(folder / "deep.png"), picture[..., 2].astype(np.uint16) * 257)
+    whole = (folder / "skin.png").read_bytes()
+    (folder / "cut.png").write_bytes(whole[:40])
+    (folder / "head.png").write_bytes(whole[:33])
     material = trimesh.visual.material.PBRMaterial(baseColorTexture=Image.new("RGB", (8, 8)))
     uv = np.array([[0.1, 0.5], [0.9, 0.5], [0.1, 0.5], [0.9, 0.5]])
     shape = trimesh.Trimesh(
@@ -217,11 +308,12 @@ def test_the_texture_of_a_collada_lies_beside_it(texture: str, tmp_path: Path) -
     path = folder / "foot.dae"
     path.write_bytes(textured(content, texture.encode()))
     raw = read_raw(file_content(path))
-    if texture != "skin.png":
+    if texture not in ("skin.png", "deep.png"):
         assert raw.colors is None
         assert "is not beside the scan" in str(raw.notes[0])
         return
     assert raw.colors is not None
+    assert raw.notes == ()
     reds = raw.colors[:, 0].reshape(-1, 3)
     assert (reds == np.where(np.isin(FACES, [0, 2]), 200, 0)).all()
 
