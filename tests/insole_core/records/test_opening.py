@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from postgres_server import PostgresServer, binaries, running_server
 from psycopg.errors import OperationalError, TooManyConnections
-from record_samples import SCHEMAS, place_of_sample
+from record_samples import SCHEMAS, place_of_sample, write_newest
 from sqlalchemy import text
 from sqlalchemy.exc import DBAPIError
 from stations import ANNA, BEN, Stations
@@ -474,6 +474,22 @@ def test_every_schema_has_a_sample_in_both_databases() -> None:
     revisions = [f"{number:04d}" for number in range(1, int(SCHEMA) + 1)]
     expected = [f"{name}.{kind}.sql" for name in revisions for kind in ("postgresql", "sqlite")]
     assert [sample.name for sample in SAMPLES] == expected
+
+
+def test_the_newest_samples_have_the_tables_that_are_written_for_them(
+    tmp_path: Path, postgres: PostgresServer
+) -> None:
+    write_newest(tmp_path, postgres)
+    written = sorted(tmp_path.glob("*.sql"))
+    assert [path.name for path in written] == [path.name for path in SAMPLES[-2:]]
+    for path in written:
+        assert tables_of_script(path) == tables_of_script(SCHEMAS / path.name)
+
+
+def tables_of_script(path: Path) -> list[str]:
+    """Return a dump without its rows, which may tell when it was made."""
+    lines = path.read_text("utf-8").splitlines()
+    return [line for line in lines if not line.startswith("INSERT INTO")]
 
 
 @pytest.mark.parametrize("sample", SAMPLES, ids=lambda path: path.stem)
