@@ -12,10 +12,11 @@ from pathlib import Path
 
 from sphinx.cmd.build import build_main
 
+from insole_studio.languages import LANGUAGES
+
 DOCS = Path(__file__).resolve().parent
 SITE = DOCS.parent / "resources" / "manual"
 PAGES_READ = DOCS.parent / "build" / "manual"
-LANGUAGES = ("en", "sv")
 STRICT = ("--quiet", "--fail-on-warning", "--keep-going", "--fresh-env")
 
 

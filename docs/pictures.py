@@ -38,13 +38,13 @@ from insole_studio.app.scripted import ScriptedWindow, grab
 from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
 from insole_studio.features.foot.rows import FootMap
 from insole_studio.features.foot.stage import FootStage
-from insole_studio.settings import Language, Settings, save_settings
+from insole_studio.languages import LANGUAGES, Language
+from insole_studio.settings import Settings, save_settings
 from insole_studio.texts import translation_into
 from insole_studio.user_paths import UserPaths
 
 IMAGES = Path(__file__).parent / "manual" / "images"
 """Those of the English manual; each other language has a folder in it."""
-LANGUAGES: tuple[Language, ...] = ("en", "sv")
 VARIANT = {"en": "higher pad", "sv": "högre pelott"}
 EXAMPLE = resource_path("example/example.insole")
 SEED = 21
@@ -75,7 +75,7 @@ def parsed() -> argparse.Namespace:
     parser.add_argument("--size", default="1366x768", help="of the screen")
     parser.add_argument("--scale", type=float, help="by default 1; 2 on a screen of 3840x2160")
     parser.add_argument("--journey", nargs="*", choices=tuple(JOURNEYS), default=tuple(JOURNEYS))
-    parser.add_argument("--language", choices=("en", "sv"), default="en")
+    parser.add_argument("--language", choices=list(LANGUAGES), default="en")
     parser.add_argument("--theme", choices=("light", "dark"), default="light")
     parser.add_argument("--hand", choices=tuple(HANDS), default="mouse")
     return parser.parse_args()
@@ -120,7 +120,7 @@ def take_documentation(language: Language) -> None:
 
 def images_of(language: str) -> Path:
     """Return the folder of the pictures of a language."""
-    images = IMAGES if language == LANGUAGES[0] else IMAGES / language
+    images = IMAGES if language == "en" else IMAGES / language
     images.mkdir(exist_ok=True)
     return images
 

@@ -11,6 +11,7 @@ from typing import Literal, get_type_hints
 from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.forgiving_json import Complain, entries_of_others, remembered
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
+from insole_studio.languages import Language
 
 log = logging.getLogger(__name__)
 
@@ -18,7 +19,6 @@ RECENT_COUNT = 8
 LAST_HOUR = 23
 
 Theme = Literal["system", "light", "dark"]
-Language = Literal["system", "en", "sv"]
 BackupDay = Literal["never", "daily", "0", "1", "2", "3", "4", "5", "6"]
 BackupKeep = Literal["all", "months", "year"]
 

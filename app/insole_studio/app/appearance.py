@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QApplication
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.theme import apply_theme
 from insole_studio.features.design.stage import DesignStage
+from insole_studio.languages import Language
 from insole_studio.services.app_services import AppServices
-from insole_studio.settings import Language
 from insole_studio.texts import tr
 
 LAYOUT_REST_MS = 600

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from insole_core.insole.elements import in_order
+from insole_studio.languages import LANGUAGES
 from insole_studio.texts import tr
 
 SEPARATOR = ""
@@ -22,7 +23,7 @@ def _added(name: str) -> tuple[str, ...]:
 
 
 MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference", "map_pressure")
-LANGUAGE_KEYS = ("language_system", "language_en", "language_sv")
+LANGUAGE_KEYS = ("language_system", *(f"language_{code}" for code in LANGUAGES))
 BESIDE_KEYS = ("beside_nothing", "beside_foot", "beside_variant")
 TOOL_KEYS = (
     "tool_orbit",

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
+from insole_studio.languages import LANGUAGES, Language
 from insole_studio.services.action_record import ActionRecord
-from insole_studio.settings import Language
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
@@ -64,8 +65,7 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
         checkable=True,
     ),
     _language("system", lambda: tr("Language of the system")),
-    _language("en", lambda: "English"),
-    _language("sv", lambda: "Svenska"),
+    *(_language(code, partial(str, name)) for code, name in LANGUAGES.items()),
     ActionRecord(
         "manual",
         lambda: tr("Manual"),

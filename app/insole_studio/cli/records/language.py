@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from insole_studio.languages import LANGUAGES
+
 if TYPE_CHECKING:
     from insole_core.workflows.records.person_summary import Wording
 
@@ -12,7 +14,9 @@ if TYPE_CHECKING:
 def add_language(parser: argparse.ArgumentParser) -> None:
     """Add the option that chooses a language."""
     parser.add_argument(
-        "--language", choices=["en", "sv"], help="of what is written (default: that of the window)"
+        "--language",
+        choices=list(LANGUAGES),
+        help="of what is written (default: that of the window)",
     )
 
 
