@@ -7,9 +7,12 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
+from typing import get_args
 from xml.etree import ElementTree
 
 import pytest
+from dialog_pictures import REASONS
+from pictures import VARIANT
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication
 from varied_designs import DRAWN, FROM_FOOT, OTHERS, varied
@@ -34,6 +37,7 @@ from insole_core.insole.prescription.shell import Shell
 from insole_core.messages import Message
 from insole_core.resources import resource_path
 from insole_studio.features.design.parameters.correction_fields import editables, field_specs
+from insole_studio.languages import LANGUAGES, Language
 from insole_studio.texts import (
     CONTEXT,
     fill,
@@ -48,6 +52,7 @@ from insole_studio.widgets.number_field import NumberField
 
 _NUMBER = re.compile(r":[+,]?\.?\d*[fgeE%]\b|:[+,]?\.\d+[fgeE%]")
 SWEDISH = resource_path("translations/sv")
+MANUAL = Path(__file__).parents[2] / "docs" / "manual"
 
 
 def texts_of_the_code() -> Iterator[str]:
@@ -76,6 +81,14 @@ def test_every_text_has_a_swedish_one() -> None:
     translated, texts = catalogue(), set(texts_of_the_code())
     assert len(texts) > 400
     assert [text for text in texts if not translated.get(text)] == []
+
+
+def test_every_language_has_its_texts_its_manual_and_words_for_its_pictures() -> None:
+    codes = set(LANGUAGES)
+    assert get_args(Language) == ("system", *LANGUAGES)
+    assert {path.parent.name for path in SWEDISH.parent.glob("*/core.ts")} == codes - {"en"}
+    assert {code for code in codes if not (MANUAL / code).is_dir()} == {"en"}
+    assert VARIANT.keys() == REASONS.keys() == codes
 
 
 def test_no_swedish_text_is_left_of_one_that_nobody_says() -> None:
