@@ -18,6 +18,7 @@ from insole_core.insole.elements import ArchRaise, HeelCup, HeelLift, HeelSkive,
 from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.lifts import heel_lift_mm
 from insole_core.insole.prescription.materials import MaterialTable, read_materials
 from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_core.insole.prescription.pronation import PronationStep
@@ -213,9 +214,9 @@ def _edge(angle_deg: float) -> str:
 def _of_heel(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     cup = _cup_mm(design)
     inversion = max(rounded(posting_angles(design)[0], _SHOWN), 0.0)
-    lifts = design.of(HeelLift)
-    lift_mm = rounded(sum(c.height_mm for c in lifts), _SHOWN)
-    if lift_mm > rules.greatest_heel_lift_mm:
+    lifts = design.of(HeelLift)  # alone, a full-length lift is what a greater height is made by
+    lift_mm = rounded(heel_lift_mm(design), _SHOWN)
+    if lifts and lift_mm > rules.greatest_heel_lift_mm:
         lifted = Message(
             "The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are "
             "usual.",

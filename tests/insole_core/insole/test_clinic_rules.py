@@ -15,6 +15,7 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.elements import (
     ArchRaise,
     BrushStroke,
+    FullLift,
     HeelCup,
     HeelLift,
     HeelSkive,
@@ -133,6 +134,20 @@ def test_angles_that_add_up_to_the_limit_are_not_above_it(left_foot):
 def test_lifts_are_judged_together(left_foot):
     found = warnings(left_foot, HeelLift(height_mm=4), HeelLift(height_mm=4))
     assert ["lifted by 8 mm" in w for w in found].count(True) == 1
+
+
+@pytest.mark.parametrize(
+    ("lifts", "said"),
+    [
+        ((HeelLift(height_mm=7), FullLift(height_mm=8)), "lifted by 15 mm"),
+        ((FullLift(height_mm=4), HeelLift(height_mm=3)), "lifted by 7 mm"),
+        ((HeelLift(height_mm=9), HeelLift(height_mm=-4)), ""),
+        ((FullLift(height_mm=8),), ""),
+    ],
+)
+def test_a_heel_lift_counts_with_all_that_raises_the_heel(left_foot, lifts, said):
+    found = [warning for warning in warnings(left_foot, *lifts) if "heel is lifted" in warning]
+    assert [said in warning for warning in found] == ([True] if said else [])
 
 
 def test_high_insole_is_warned_of_with_the_place(left_foot):
