@@ -82,6 +82,7 @@ class InsoleDesign(Part):
             5,
             step=0.25,
             expert=True,
+            within="Insole",
         ),
     ] = 1.0
     outline: Outline = field(default_factory=Outline)

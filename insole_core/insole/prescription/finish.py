@@ -81,7 +81,8 @@ class Finish(Part):
             "Toe zone",
             "What lies ahead of the metatarsal heads, in place of the scanned toes",
             words={
-                "flat": "flat", "sulcus": "sulcus", "crest": "crest", "as_scanned": "as scanned",
+                "flat": "flat", "sulcus": "sulcus", "crest": "toe crest",
+                "as_scanned": "as scanned",
             },
         ),
     ] = "flat"  # fmt: skip
@@ -129,7 +130,7 @@ class Finish(Part):
     expansion_mm: Annotated[
         float,
         Number(
-            "Soft tissue",
+            "Soft tissue expansion",
             "Widening of heel and lateral border: soft tissue spreads in stance",
             0,
             5,

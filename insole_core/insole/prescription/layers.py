@@ -42,6 +42,7 @@ class Layers(Part):
             "Cover is",
             "A cover that is glued on later is taken off what is made",
             words={False: "made with it", True: "glued on later"},
+            within="Layers",
             expert=True,
         ),
     ] = False

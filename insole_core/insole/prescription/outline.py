@@ -84,7 +84,7 @@ class Outline(Part):
             within="Outline",
         ),
     ] = None
-    points_mm: Annotated[tuple[Place, ...] | None, Line("Line", within="Outline")] = None
+    points_mm: Annotated[tuple[Place, ...] | None, Line("Drawn outline")] = None
     shoe: Shoe | None = None
 
     def acts(self, name: str) -> bool:

@@ -83,16 +83,26 @@ class Shell(Part):
     body_weight_kg: Annotated[
         float | None, Number("Body weight", least=5, greatest=250, unit="kg")
     ] = None
-    least_mm: Annotated[float | None, Number("Least thickness", least=0.5, greatest=40)] = None
+    least_mm: Annotated[
+        float | None, Number("Least thickness", least=0.5, greatest=40, within="Shell")
+    ] = None
     least_edge_mm: Annotated[
-        float | None, Number("Least thickness at the front edge", least=0.5, greatest=40)
+        float | None,
+        Number("Least thickness at the front edge", least=0.5, greatest=40, within="Shell"),
     ] = None
     heel_pitch_mm: Annotated[
         float, Number("Heel pitch", "Height of the shoe's heel over its forefoot", 0, 30)
     ] = 0.0
     taper_mm: Annotated[
         float,
-        Number("Front edge", "Thickness of the shell at its front edge", 0.5, 10, expert=True),
+        Number(
+            "Front edge",
+            "Thickness of the shell at its front edge",
+            0.5,
+            10,
+            expert=True,
+            within="Shell",
+        ),
     ] = 1.0
     taper_length_mm: Annotated[
         float,
@@ -102,6 +112,7 @@ class Shell(Part):
             5,
             60,
             expert=True,
+            within="Shell",
         ),
     ] = 18.0
     edge_radius_mm: Annotated[

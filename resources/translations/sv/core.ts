@@ -852,6 +852,10 @@
             <translation>Ritar väggarna före och efter</translation>
         </message>
         <message>
+            <source>Drawn outline</source>
+            <translation>Ritad kontur</translation>
+        </message>
+        <message>
             <source>Dress, three-quarter</source>
             <translation>Finsko, trekvarts</translation>
         </message>
@@ -1530,10 +1534,6 @@
         <message>
             <source>Let the underside rise ahead of a line along the heads</source>
             <translation>Låt undersidan stiga framför en linje längs huvudena</translation>
-        </message>
-        <message>
-            <source>Line</source>
-            <translation>Linje</translation>
         </message>
         <message>
             <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
@@ -2468,8 +2468,8 @@
             <translation>Kilens lutning mot underlaget</translation>
         </message>
         <message>
-            <source>Soft tissue</source>
-            <translation>Mjukdelar</translation>
+            <source>Soft tissue expansion</source>
+            <translation>Mjukdelstillägg</translation>
         </message>
         <message>
             <source>Solving again without uneven walls</source>
@@ -2553,7 +2553,7 @@
         </message>
         <message>
             <source>Taper length</source>
-            <translation>Avsmalning</translation>
+            <translation>Avsmalningens längd</translation>
         </message>
         <message>
             <source>Telfer/OpenFO (3.0); above 95 kg the clinic's own judgement</source>
@@ -4862,10 +4862,6 @@
         <message>
             <source>cover</source>
             <translation>överdrag</translation>
-        </message>
-        <message>
-            <source>crest</source>
-            <translation>kam</translation>
         </message>
         <message>
             <source>cuboid</source>
@@ -7346,6 +7342,10 @@
         <message>
             <source>to {height}</source>
             <translation>till {height}</translation>
+        </message>
+        <message>
+            <source>toe crest</source>
+            <translation>tåkam</translation>
         </message>
         <message>
             <source>toe filler</source>

@@ -74,6 +74,37 @@ ONE_LINE = [
         replace(PLAIN, shell=Shell(posts=(Post(angle_deg=4, length_mm=60),))),
         "Rearfoot post: none → 4° medial, 60 mm long, edge 4 mm",
     ),
+    (
+        replace(PLAIN, shell=Shell()),
+        replace(PLAIN, shell=Shell(taper_mm=2)),
+        "Shell, Front edge: 1 mm → 2 mm",
+    ),
+    (
+        replace(PLAIN, shell=Shell()),
+        replace(PLAIN, shell=Shell(taper_length_mm=20)),
+        "Shell, Taper length: 18 mm → 20 mm",
+    ),
+    (
+        replace(PLAIN, finish=FINISH),
+        replace(PLAIN, finish=replace(FINISH, expansion_mm=2)),
+        "Soft tissue expansion: 0 mm → 2 mm",
+    ),
+    (
+        replace(PLAIN, finish=FINISH),
+        replace(PLAIN, finish=replace(FINISH, toe_zone="crest")),
+        "Toe zone: flat → toe crest",
+    ),
+    (
+        PLAIN,
+        replace(PLAIN, outline=Outline(points_mm=((0, 0), (1, 0), (1, 1), (0, 1)))),
+        "Drawn outline: none → 4 places",
+    ),
+    (
+        PLAIN,
+        replace(PLAIN, layers=Layers(cover_is_taken_off=True)),
+        "Layers, Cover is: made with it → glued on later",
+    ),
+    (PLAIN, replace(PLAIN, grid_mm=2), "Insole, Computed every: 1 mm → 2 mm"),
     (PLAIN, PLAIN.with_added(PAD), "Added: pelott, 4 mm, 60 mm long"),
     (PLAIN.with_added(PAD), PLAIN, "Removed: pelott"),
     (

@@ -90,7 +90,7 @@ def test_the_lines_say_what_was_left_out_before() -> None:
     facts = make_facts(FROM_FOOT)
     assert "Ball 2 mm" in facts["outline"]
     assert "Side height 30 mm" in facts["insole"]
-    assert facts["shoe"].startswith("Shoe Boot; Trimmed to it no; Room 0.5 mm; Inside through 4")
+    assert facts["shoe"].startswith("Shoe Boot; Trimmed to it no; Room 0.5 mm; Inside through 12")
     assert "Toe line 4 mm" in facts["finish"]
     assert "Heel transition 9 mm" in facts["finish"]
     assert "Skin smoothing 2 mm" in facts["finish"]
