@@ -6868,6 +6868,10 @@
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
         </message>
         <message>
+            <source>selects {word}, and the program is made for {chosen}; take that word out, or set work_offset</source>
+            <translation>väljer {word}, och programmet görs för {chosen}; ta bort det ordet eller ange work_offset</translation>
+        </message>
+        <message>
             <source>sensors</source>
             <translation>sensorer</translation>
         </message>
