@@ -15,7 +15,7 @@ import re
 import time
 import uuid
 from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, Final
@@ -478,9 +478,9 @@ class ContentStore:
             if path.name in used:
                 brought_back += self._restore(path.name)
             elif _is_before(path, before):
-                with output_errors(path):
-                    path.unlink(missing_ok=True)
-                deleted += 1
+                with output_errors(path), suppress(FileNotFoundError):  # another station was first
+                    path.unlink()
+                    deleted += 1
         return brought_back, deleted
 
     @contextmanager

@@ -239,6 +239,23 @@ def test_two_stations_may_sweep_at_once(store: ContentStore, lookups: int) -> No
     assert list((store.folder / "removed").iterdir()) == []
 
 
+def test_what_another_station_deletes_is_not_counted(
+    store: ContentStore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    age(store.path(store.put(SCAN)), GRACE_S + 60)
+    now = time.time()
+    store.sweep(set(), now)
+    unlink = Path.unlink
+
+    def second(path: Path, missing_ok: bool = False) -> None:
+        unlink(path)
+        unlink(path, missing_ok)
+
+    monkeypatch.setattr(Path, "unlink", second)
+    assert store.sweep(set(), now + GRACE_S + 1) == SweptContents()
+    assert list((store.folder / "removed").iterdir()) == []
+
+
 def test_what_is_swept_while_it_is_verified_is_neither_damaged_nor_an_error(
     store: ContentStore,
 ) -> None:
