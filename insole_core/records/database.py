@@ -204,6 +204,26 @@ class Database:
         return error
 
 
+def upsert(
+    connection: Connection, table: Table, values: Mapping[str, Any], changed: Sequence[str] = ()
+) -> None:
+    """Insert a row; where one with its key is there, change some of its columns.
+
+    Parameters
+    ----------
+    changed
+        Names of the columns that get the new value; without any, the row stays as it is.
+    """
+    dialect = sqlite if connection.dialect.name == "sqlite" else postgresql
+    statement = dialect.insert(table).values(**values)
+    if not changed:
+        connection.execute(statement.on_conflict_do_nothing())
+        return
+    key = [column.name for column in table.primary_key]
+    new = {name: statement.excluded[name] for name in changed}
+    connection.execute(statement.on_conflict_do_update(index_elements=key, set_=new))
+
+
 def _engine(place: RecordsPlace, read_only: bool) -> Engine:
     if not place.is_local:
         return create_engine(place.url, pool_pre_ping=True, connect_args=_SERVER_ARGUMENTS)
@@ -251,23 +271,3 @@ def _mode(path: Path, read_only: bool) -> str:
 def _begin(connection: Connection) -> None:
     is_write = connection.get_execution_options().get(_WRITES, False)
     connection.exec_driver_sql("BEGIN IMMEDIATE" if is_write else "BEGIN")
-
-
-def upsert(
-    connection: Connection, table: Table, values: Mapping[str, Any], changed: Sequence[str] = ()
-) -> None:
-    """Insert a row; where one with its key is there, change some of its columns.
-
-    Parameters
-    ----------
-    changed
-        Names of the columns that get the new value; without any, the row stays as it is.
-    """
-    dialect = sqlite if connection.dialect.name == "sqlite" else postgresql
-    statement = dialect.insert(table).values(**values)
-    if not changed:
-        connection.execute(statement.on_conflict_do_nothing())
-        return
-    key = [column.name for column in table.primary_key]
-    new = {name: statement.excluded[name] for name in changed}
-    connection.execute(statement.on_conflict_do_update(index_elements=key, set_=new))

@@ -26,6 +26,10 @@ from insole_core.records.schema import visit_photos
 from insole_core.records.stored_contents import refer_to
 from insole_core.records.times import utc_now
 
+MOST_PX: Final = 2400
+"""Greatest width and height of a stored photo."""
+_QUALITY: Final = 88
+
 
 class Photos:
     """Adds, changes, finds and deletes photos of visits."""
@@ -144,23 +148,6 @@ class Photos:
             self._context.log(connection, "deleted", "photo", photo.id, visit=photo.visit_id)
 
 
-def _stored(connection: Connection, photo_id: str) -> Row[Any]:
-    query = select(visit_photos).where(visit_photos.c.id == photo_id).with_for_update()
-    row = connection.execute(query).one_or_none()
-    if row is None:
-        raise RecordsError("This photo is no longer in the record; open the photos again.")
-    return row
-
-
-def _photo(row: Row[Any]) -> Photo:
-    return Photo(**{**row._mapping, "marks": marks_from_text(row.marks)})
-
-
-MOST_PX: Final = 2400
-"""Greatest width and height of a stored photo."""
-_QUALITY: Final = 88
-
-
 def photo_jpeg(path: Path) -> bytes:
     """Return a picture of a file as it is stored: upright, not too large, and nothing but pixels.
 
@@ -189,3 +176,15 @@ def jpeg_of(image: Image.Image) -> bytes:
     written = io.BytesIO()
     image.save(written, "JPEG", quality=_QUALITY)
     return written.getvalue()
+
+
+def _stored(connection: Connection, photo_id: str) -> Row[Any]:
+    query = select(visit_photos).where(visit_photos.c.id == photo_id).with_for_update()
+    row = connection.execute(query).one_or_none()
+    if row is None:
+        raise RecordsError("This photo is no longer in the record; open the photos again.")
+    return row
+
+
+def _photo(row: Row[Any]) -> Photo:
+    return Photo(**{**row._mapping, "marks": marks_from_text(row.marks)})

@@ -64,6 +64,10 @@ from insole_core.workflows.records.plain_name import plain_name
 
 SUMS_NAME: Final = "SHA256SUMS"
 _PERSON_NAME: Final = "person.json"
+_MARK_COLOR: Final = "#ff5f00"
+"""Stands out from skin, and from the red and green of the sides."""
+_LINE, _TEXT = 1 / 250, 1 / 32
+"""Width of a line, and height of a number, as parts of the longer side."""
 
 
 @dataclass(frozen=True)
@@ -371,12 +375,6 @@ def _numbered(names: Sequence[str]) -> list[str]:
         stem, dot, suffix = name.partition(".")
         unique.append(name if count == 1 else f"{stem}-{count}{dot}{suffix}")
     return unique
-
-
-_MARK_COLOR: Final = "#ff5f00"
-"""Stands out from skin, and from the red and green of the sides."""
-_LINE, _TEXT = 1 / 250, 1 / 32
-"""Width of a line, and height of a number, as parts of the longer side."""
 
 
 def _with_marks(picture: bytes, marks: Sequence[PhotoMark]) -> bytes:
