@@ -10,7 +10,6 @@ from insole_core.insole.elements.correction import Correction
 from insole_core.insole.fields import Choice, Declared, Line, Number, Place, Share
 from insole_core.messages import Message
 
-_TIP = "How much a stroke changes the height; 100 % smooths out all it can"
 _WORDS = {"push": "raise", "pull": "lower", "smooth": "smooth"}
 
 
@@ -36,7 +35,10 @@ class BrushStroke(Correction):
     mode: Annotated[
         str, Choice("Brush", "What the stroke does to the surface", words=_WORDS, main="")
     ] = "push"
-    strength: Annotated[float, Number("Strength", _TIP, 0, 10, step=0.1, main="")] = 1.0
+    strength: Annotated[
+        float,
+        Number("Strength", "How much the stroke raises or lowers", 0, 10, step=0.1, main=""),
+    ] = 1.0
     radius_mm: Annotated[
         float, Number("Radius", "Distance from the stroke beyond which nothing changes", 2, 80)
     ] = 15.0
@@ -50,7 +52,7 @@ class BrushStroke(Correction):
     def declared(self, name: str) -> Declared:
         """Return what a field is: a smoothing stroke has a share of full smoothing."""
         if name == "strength" and self.mode == "smooth":
-            return Share("Strength", _TIP, main="")
+            return Share("Strength", "100 % smooths out all that a stroke can", main="")
         return super().declared(name)
 
     @property

@@ -56,6 +56,10 @@
             <translation>0°</translation>
         </message>
         <message>
+            <source>100 % smooths out all that a stroke can</source>
+            <translation>100 % jämnar ut allt som ett drag kan</translation>
+        </message>
+        <message>
             <source>1st head</source>
             <translation>1:a huvudet</translation>
         </message>
@@ -1312,10 +1316,6 @@
             <translation>Hur långt höjden breder ut sig längs pelotten; mer gör den fylligare</translation>
         </message>
         <message>
-            <source>How much a stroke changes the height; 100 % smooths out all it can</source>
-            <translation>Hur mycket ett drag ändrar höjden; vid utjämning jämnar 100 % ut allt som går</translation>
-        </message>
-        <message>
             <source>How much narrower the rear end is than the front; 0 % is an ellipse</source>
             <translation>Hur mycket smalare bakre änden är än den främre; 0 % är en ellips</translation>
         </message>
@@ -1330,6 +1330,10 @@
         <message>
             <source>How much the heel is raised</source>
             <translation>Hur mycket hälen höjs</translation>
+        </message>
+        <message>
+            <source>How much the stroke raises or lowers</source>
+            <translation>Hur mycket draget höjer eller sänker</translation>
         </message>
         <message>
             <source>Identification</source>

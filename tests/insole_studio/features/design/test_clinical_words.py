@@ -95,6 +95,22 @@ def test_what_a_field_shows_is_what_it_sets(part: Any, side: Side) -> None:
             assert spec.least <= spec.value <= spec.greatest
 
 
+@pytest.mark.parametrize(
+    ("mode", "unit", "greatest", "tip"),
+    [
+        ("push", "mm", 10, "How much the stroke raises or lowers"),
+        ("pull", "mm", 10, "How much the stroke raises or lowers"),
+        ("smooth", "%", 100, "100 % smooths out all that a stroke can"),
+    ],
+)
+def test_the_strength_of_a_stroke_is_explained_in_its_unit(
+    mode: str, unit: str, greatest: float, tip: str
+) -> None:
+    stroke = BrushStroke(points_mm=((0.0, 50.0),), mode=mode)
+    spec = shown(stroke, Side.LEFT, "strength")
+    assert (spec.unit, spec.greatest, spec.tip) == (unit, greatest, tip)
+
+
 def shown(part: Any, side: Side, key: str, *, expert: bool = False) -> FieldSpec:
     specs = field_specs(part, "p", side, expert=expert)
     (spec,) = (s for s in specs if s.key == f"p.{key}" and isinstance(s, FieldSpec))
