@@ -8,14 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import groupby
-from typing import Any
+from typing import Any, TypeAlias
 
 from insole_core.insole.elements import Correction, HeelCup
 from insole_core.insole.elements.words import number_message, worded
 from insole_core.insole.fields import Choice, Declared, Line, Number, Part, declared
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.finish import RimStation
 from insole_core.insole.prescription.rim_sliders import (
     cup_depth_mm,
     finish_with_cups,
@@ -25,16 +25,18 @@ from insole_core.insole.prescription.shell import Post
 from insole_core.insole.prescription.shoe import Shoe
 from insole_core.messages import Message, joined
 
-_DERIVED: dict[str, str] = {
-    "device": "Device",
-    "base": "Base",
-    "shoe": "Shoe",
-    "cup_mm": "Heel cup",
-    "medial_flange_mm": "Medial flange",
-    "medial_rim": "Medial rim, from heel to toes",
-    "lateral_rim": "Lateral rim, from heel to toes",
-    "rearfoot": "Rearfoot post",
-    "forefoot": "Forefoot post",
+_Key: TypeAlias = tuple[str, str]
+"""The part of a design, "" for the design itself, and the name of a value in it."""
+_DERIVED: dict[_Key, str] = {
+    ("", "device"): "Device",
+    ("", "base"): "Base",
+    ("outline", "shoe"): "Shoe",
+    ("finish", "cup_mm"): "Heel cup",
+    ("finish", "medial_flange_mm"): "Medial flange",
+    ("finish", "medial_rim"): "Medial rim, from heel to toes",
+    ("finish", "lateral_rim"): "Lateral rim, from heel to toes",
+    ("shell", "rearfoot"): "Rearfoot post",
+    ("shell", "forefoot"): "Forefoot post",
 }
 """What values are called that are no fields with a name of their own."""
 _DECIMALS = 2
@@ -43,7 +45,6 @@ _LEVELS = {
     "toes": "{heights} mm over the toes",
     "foot": "{heights} mm over the foot",
 }
-_OF_RIM = ("cup_mm", "medial_flange_mm", "medial_rim", "lateral_rim")
 _NONE, _SCANNED = Message("none"), Message("as scanned")
 _MM = Number("")
 
@@ -93,42 +94,44 @@ def corrections_in_words(design: InsoleDesign) -> tuple[Message, ...]:
     )
 
 
-def _values(design: InsoleDesign) -> dict[str, _Told]:
+def _values(design: InsoleDesign) -> dict[_Key, _Told]:
     """Return every value that is neither a part nor a correction; none of a part that is None."""
     shell = design.shell
     return {
-        "device": _Told(design.device),
-        "base": _Told(design.base),
-        **_fields(design),
-        **_fields(design.outline),
-        "shoe": _Told(design.outline.shoe),
-        **_fields(design.layers),
+        ("", "device"): _Told(design.device),
+        ("", "base"): _Told(design.base),
+        **_fields("", design),
+        **_fields("outline", design.outline),
+        ("outline", "shoe"): _Told(design.outline.shoe),
+        **_fields("layers", design.layers),
         **_finish_values(design),
-        **({} if shell is None else _fields(shell)),
-        **({} if shell is None else {post.region: _Told(post) for post in shell.posts}),
+        **({} if shell is None else _fields("shell", shell)),
+        **({} if shell is None else {("shell", post.region): _Told(post) for post in shell.posts}),
     }
 
 
-def _fields(part: Part) -> dict[str, _Told]:
-    return {name: _Told(getattr(part, name), found) for name, found in declared(type(part)).items()}
+def _fields(within: str, part: Part) -> dict[_Key, _Told]:
+    fields = declared(type(part)).items()
+    return {(within, name): _Told(getattr(part, name), found) for name, found in fields}
 
 
-def _finish_values(design: InsoleDesign) -> dict[str, _Told]:
+def _finish_values(design: InsoleDesign) -> dict[_Key, _Told]:
     """Return the values of the finish, its rim as that of each border and as cup and flange."""
     finish = design.finish
     if finish is None:
         return {}
     stations = sorted(finish.rim, key=lambda station: station.along)
+    cup_mm = cup_depth_mm(finish_with_cups(finish, design.of(HeelCup)))
     return {
-        "cup_mm": _Told(cup_depth_mm(finish_with_cups(finish, design.of(HeelCup))), _MM),
-        "medial_flange_mm": _Told(medial_flange_mm(finish), _MM),
-        **_fields(finish),
-        "medial_rim": _Told(tuple(s for s in stations if s.border == "medial")),
-        "lateral_rim": _Told(tuple(s for s in stations if s.border == "lateral")),
+        ("finish", "cup_mm"): _Told(cup_mm, _MM),
+        ("finish", "medial_flange_mm"): _Told(medial_flange_mm(finish), _MM),
+        **_fields("finish", finish),
+        ("finish", "medial_rim"): _Told(tuple(s for s in stations if s.border == "medial")),
+        ("finish", "lateral_rim"): _Told(tuple(s for s in stations if s.border == "lateral")),
     }
 
 
-def _is_nothing(key: str, *designs: dict[str, _Told]) -> bool:
+def _is_nothing(key: _Key, *designs: dict[_Key, _Told]) -> bool:
     """Return whether a value of a part that one design lacks changes nothing in the other."""
     return all(key not in told or told[key].value in (None, 0, ()) for told in designs)
 
@@ -142,7 +145,7 @@ def _post(post: Post) -> Message:
     return joined(parts)
 
 
-def _wording(key: str, told: _Told | None) -> Message:
+def _wording(key: _Key, told: _Told | None) -> Message:
     """Return a value in words, with its unit; None is that of a part that a design lacks."""
     value, found = (None, None) if told is None else (told.value, told.found)
     if value is None:
@@ -158,10 +161,11 @@ def _wording(key: str, told: _Told | None) -> Message:
     return _rim(value) if isinstance(value, tuple) else _part(value)
 
 
-def _absent(key: str) -> Message:
-    if key == "base":
+def _absent(key: _Key) -> Message:
+    if key == ("", "base"):
         return Message("from the foot")
-    return _SCANNED if key in _OF_RIM or key in declared(Finish) else _NONE
+    within, _ = key
+    return _SCANNED if within == "finish" else _NONE
 
 
 def _part(part: BaseForm | Post | Shoe) -> Message:
@@ -197,7 +201,7 @@ def _mm(value: float) -> Message:
     return worded(_MM, value, _DECIMALS)
 
 
-def _label(key: str, found: Declared | None) -> Message:
+def _label(key: _Key, found: Declared | None) -> Message:
     if key in _DERIVED:
         return Message(_DERIVED[key])
     assert found is not None, "all others are declared"
