@@ -154,7 +154,8 @@ MESH_FORMATS: Final = (
     ),
     MeshFormat(name="COLLADA", endings=(".dae",), rank=4, reader="dae.read_dae"),
     MeshFormat(
-        name="OFF", endings=(".off",), rank=7, begins_with=(b"OFF\n",), reader="off.read_off"
+        name="OFF", endings=(".off",), role="solid", names_nobody=True, rank=7,
+        begins_with=(b"OFF\n",), reader="off.read_off", writer="off.write_parts",
     ),
     MeshFormat(
         name="XYZ", endings=(".xyz", ".asc", ".pts"), rank=9, reader="point_text.read_point_text"

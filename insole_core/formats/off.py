@@ -1,16 +1,20 @@
-"""Read OFF files, with or without colours (COFF)."""
+"""OFF: read with or without colours (COFF); written in mm, as text."""
 
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import numpy as np
 
+from insole_core.files.atomic import replacing_file
 from insole_core.formats.number_text import Lines, floats, plain_text, words_per_line
 from insole_core.formats.polygons import as_indices, fans
 from insole_core.formats.raw_surface import RawSurface
 from insole_core.formats.scan_content import ScanContent
+from insole_core.formats.solid_content import SolidContent
 from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
 
 _HEAD = re.compile(rb"\s*(ST)?(C)?(N)?OFF\b\s*(\d{1,10})\s+(\d{1,10})(?:\s+\d{1,10})?[ \t]*\n")
@@ -83,3 +87,30 @@ def _colors(rows: FloatArray, skipped: int) -> ByteArray | None:
     if values.min() < 0 or values.max() > 255:
         return None
     return np.rint(values * (255.0 if values.max() <= 1.0 else 1.0)).astype(np.uint8)
+
+
+def write_parts(solid: SolidContent, path: Path) -> None:
+    """Write the parts as shells of one mesh."""
+    write_off(solid.merged, path, solid.note)
+
+
+def write_off(mesh: TriangleMesh, path: Path, note: str = "") -> None:
+    """Write a mesh as OFF, atomically.
+
+    Parameters
+    ----------
+    mesh : mm
+    note
+        A further comment, one line of ASCII.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written; a file that was there before is untouched.
+    """
+    points, faces = len(mesh.vertices), len(mesh.triangles)
+    rows = "%.5f %.5f %.5f\n" * points % tuple(mesh.vertices.ravel().tolist())
+    corners = "3 %d %d %d\n" * faces % tuple(mesh.triangles.ravel().tolist())
+    comment = f"# {note}\n" if note else ""
+    with replacing_file(path) as beside, beside.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(f"OFF\n# Insole Studio, unit mm\n{comment}{points} {faces} 0\n{rows}{corners}")
