@@ -308,9 +308,12 @@ def test_materials_are_offered_by_their_swedish_names(swedish: Callable[[str], s
 
 
 def test_every_word_of_a_prescription_has_a_swedish_one() -> None:
-    words = {kind.name for kind in CORRECTION_TYPES.values()} | {
-        pad.template.noun for pad in load_pads()
-    }
+    nouns = {kind.name[:1].lower() + kind.name[1:] for kind in CORRECTION_TYPES.values()}
+    words = (
+        nouns
+        | {kind.name for kind in CORRECTION_TYPES.values()}
+        | {pad.template.noun for pad in load_pads()}
+    )
     kinds = (*CORRECTION_TYPES.values(), *(type(part) for part in PARTS))
     fields = [found for kind in kinds for found in declared(kind).values()]
     words |= {word for found in fields for word in words_of(found)} - {""}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 import design_schema
@@ -11,6 +12,8 @@ import pytest
 from varied_designs import DRAWN, FROM_FOOT, OTHERS, varied
 
 from insole_core.errors import DesignError
+from insole_core.insole import elements
+from insole_core.insole.elements import CORRECTION_TYPES
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
@@ -73,3 +76,13 @@ def reading(content: dict[str, Any]) -> InsoleDesign | None:
         return design_from_json(content)
     except DesignError:
         return None
+
+
+def test_every_module_that_declares_an_element_is_named_where_all_are() -> None:
+    folder = Path(elements.__file__).parent
+    declaring = {
+        path.stem for path in folder.glob("*.py") if "(Correction):" in path.read_text("utf-8")
+    }
+    named = {kind.__module__.rpartition(".")[2] for kind in CORRECTION_TYPES.values()}
+    assert declaring == named & declaring
+    assert len(declaring) >= 9
