@@ -156,7 +156,8 @@ def test_a_strong_stroke_that_becomes_smoothing_is_weakened(
     smoothed = design_of(opened)[0]
     assert isinstance(smoothed, BrushStroke)
     assert (smoothed.mode, smoothed.strength) == ("smooth", 1.0)
-    assert field(opened, "correction.strength").maximum() == 1.0
+    strength = field(opened, "correction.strength")
+    assert (strength.value(), strength.maximum()) == (100, 100)  # in per cent
     assert not opened.stage.insole._warning.isVisible()
 
 
