@@ -133,7 +133,8 @@ def _finish_values(design: InsoleDesign) -> dict[_Key, _Told]:
 
 def _is_nothing(key: _Key, *designs: dict[_Key, _Told]) -> bool:
     """Return whether a value of a part that one design lacks changes nothing in the other."""
-    return all(key not in told or told[key].value in (None, 0, ()) for told in designs)
+    held = [told[key].value for told in designs if key in told]
+    return len(held) < len(designs) and all(value in (None, 0, ()) for value in held)
 
 
 def _post(post: Post) -> Message:
@@ -149,7 +150,8 @@ def _wording(key: _Key, told: _Told | None) -> Message:
     """Return a value in words, with its unit; None is that of a part that a design lacks."""
     value, found = (None, None) if told is None else (told.value, told.found)
     if value is None:
-        return _absent(key)
+        offered = dict(found.offers) if isinstance(found, Number) else {}
+        return Message(offered[None]) if None in offered else _absent(key)
     if value in ((), ""):
         return _NONE
     if isinstance(found, Line):

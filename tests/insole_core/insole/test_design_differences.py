@@ -58,6 +58,11 @@ ONE_LINE = [
         replace(PLAIN, outline=Outline(extent="three_quarter")),
         "Extent: full length → three-quarter",
     ),
+    (
+        PLAIN,
+        replace(PLAIN, outline=Outline(width_mm=0.0)),
+        "Outline, Width: from the foot → 0 mm from the bisection of the 1st metatarsal",
+    ),
     (PLAIN, replace(PLAIN, layers=Layers(cover_mm=3)), "Cover: 0 mm → 3 mm"),
     (
         replace(PLAIN, finish=FINISH),

@@ -95,7 +95,7 @@ def test_tibialis_posterior_sets_cup_flange_and_fill(left_foot):
     design = eva(Side.LEFT)
     made = proposed("Tibialis posterior dysfunction, flexible", design, left_foot)
     assert lines(design, made) == [
-        "Outline, Width: none → 3.2 mm from the bisection of the 1st metatarsal",
+        "Outline, Width: from the foot → 3.2 mm from the bisection of the 1st metatarsal",
         "Heel cup: 12 mm → 20 mm",
         "Medial flange: 16 mm → 22 mm",
         "Arch fill: 0 mm → 3.2 mm",
