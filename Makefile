@@ -37,7 +37,7 @@ pictures: $(READY) ## all pictures of the manual, anew, as the window is now
 	QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" $(BIN)/python docs/pictures.py
 	for folder in images images/sv; do \
 		INSOLE_STUDIO_MANUAL=$(CURDIR)/docs/manual/$$folder QT_QPA_PLATFORM=xcb \
-			xvfb-run -a -s "$(SCREEN)" $(PYTEST) tests/insole_studio/journeys/test_whole_journey.py || exit 1; \
+			xvfb-run -a -s "$(SCREEN)" env $(PYTEST) tests/insole_studio/journeys/test_whole_journey.py || exit 1; \
 	done
 
 manual: $(SITE)/.built ## the site of the manual, which F1 opens and packages contain
