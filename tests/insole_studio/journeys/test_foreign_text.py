@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QToolTip,
     QWidget,
 )
+from shiboken6 import isValid
 
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import (
@@ -113,6 +114,8 @@ def _letters_of(widget: QWidget) -> str:
 def taken_for_html(root: QWidget) -> Iterator[str]:
     """Every text below a widget, tooltips included, that shows foreign text as HTML."""
     for widget in (root, *root.findChildren(QWidget)):
+        if not isValid(widget):  # it may go while another one is polished
+            continue
         widget.ensurePolished()
         if MARK in (letters := _letters_of(widget)) and f"<b>{MARK}" not in letters:
             yield f"{type(widget).__name__}: {letters}"
