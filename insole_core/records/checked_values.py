@@ -7,6 +7,7 @@ declared anew. A server checks both itself.
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import date
 from enum import StrEnum
 from typing import Any, TypeVar
 
@@ -69,6 +70,20 @@ def word_of(kind: type[_Word], stored: str) -> _Word:
     """
     try:
         return kind(stored)
+    except ValueError as error:
+        raise NoValue(str(error)) from error
+
+
+def day_of(moment: str) -> date:
+    """Return the day of a moment that the program has written.
+
+    Raises
+    ------
+    NoValue
+        When it is none.
+    """
+    try:
+        return date.fromisoformat(moment[:10])
     except ValueError as error:
         raise NoValue(str(error)) from error
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from datetime import date
 from typing import Any, Final
 
 from sqlalchemy import ColumnElement, Connection, Row, Select, case, func, or_, select
 
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import RecordsError
-from insole_core.records.checked_values import word_of
+from insole_core.records.checked_values import day_of, word_of
 from insole_core.records.order import (
     OPEN_STATES,
     Order,
@@ -94,7 +93,7 @@ def listed_orders() -> Select[Any]:
 def summary_of_order(row: Row[Any]) -> OrderSummary:
     """Return the summary of a row of `listed_orders`."""
     values = dict(row._mapping)
-    ordered_on = date.fromisoformat(values.pop("created_at")[:10])
+    ordered_on = day_of(values.pop("created_at"))
     return OrderSummary(
         **values | {"state": word_of(OrderState, row.state), "ordered_on": ordered_on}
     )

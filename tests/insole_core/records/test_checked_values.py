@@ -13,6 +13,7 @@ from sqlalchemy import Column, Table, select
 from insole_core.errors import RecordsError
 from insole_core.records import schema
 from insole_core.records.author import Author
+from insole_core.records.checked_values import day_of
 from insole_core.records.database import Database
 from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
@@ -64,3 +65,9 @@ def test_a_cell_that_holds_nothing_or_bytes_is_told_with_its_column(loose: Datab
                 ):
                     c.execute(select(column)).all()
                 assert str(column) in str(told.value)
+
+
+def test_a_moment_that_is_none_is_told_as_damage(loose: Database) -> None:
+    assert day_of("2026-11-20T10:00:00.000000Z").isoformat() == "2026-11-20"
+    with pytest.raises(RecordsError, match="cannot be read"), loose.reading():
+        day_of("-92233720368")
