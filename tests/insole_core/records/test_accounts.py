@@ -186,6 +186,11 @@ def test_hashes_tell_passwords_apart() -> None:
     assert not is_password("nobody", None)
 
 
+@pytest.mark.parametrize(("mine", "forged"), [("m=", "m=9999999"), ("t=", "t=99999999")])
+def test_a_forged_hash_that_would_take_for_ever_is_refused_at_once(mine: str, forged: str) -> None:
+    assert not is_password(GOOD, hash_password(GOOD).replace(mine, forged))
+
+
 def test_an_outdated_hash_is_made_anew_when_its_owner_signs_in(
     database: Database, administered: Accounts, anna: Account, monkeypatch: pytest.MonkeyPatch
 ) -> None:
