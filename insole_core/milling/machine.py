@@ -252,13 +252,13 @@ def _work_offset(root: JsonObject) -> WorkOffset:
     selected = [
         (field.name, word)
         for field in fields(Texts)
-        if field.name in texts.values
+        if texts.has(field.name)
         for line in texts.texts(field.name)
         for word in _OFFSETS.findall(_COMMENT.sub("", line))
     ]
     of_header = [word for key, word in selected if key == "header"]
     chosen: WorkOffset = _USUAL_OFFSET
-    if "work_offset" in root.values:
+    if root.has("work_offset"):
         chosen = root.choice("work_offset", get_args(WorkOffset))
     elif of_header:
         chosen = of_header[0]
@@ -275,7 +275,7 @@ def _work_offset(root: JsonObject) -> WorkOffset:
 
 
 def _acceleration(root: JsonObject) -> tuple[float, float, float]:
-    if "acceleration_mm_s2" not in root.values:
+    if not root.has("acceleration_mm_s2"):
         return _USUAL_ACCELERATION_MM_S2
     x, y, z = root.numbers("acceleration_mm_s2", 3, 1, 100_000)
     return x, y, z
@@ -296,7 +296,7 @@ def _cutter(item: JsonObject) -> Cutter:
         shape=item.choice("shape", get_args(Shape)),
         diameter_mm=item.number("diameter_mm", 1, 40),
         reach_mm=reach_mm,
-        flute_mm=item.number("flute_mm", 1, reach_mm) if "flute_mm" in item.values else reach_mm,
+        flute_mm=item.number("flute_mm", 1, reach_mm) if item.has("flute_mm") else reach_mm,
         spindle_rpm=_positive(item, "spindle_rpm", 100_000),
         feed_mm_min=_positive(item, "feed_mm_min", 50_000),
         plunge_mm_min=_positive(item, "plunge_mm_min", 50_000),
@@ -367,7 +367,7 @@ def _origin(item: JsonObject) -> Origin:
 def _texts(item: JsonObject) -> Texts:
     return Texts(
         header=_text(item, "header"),
-        parking=_text(item, "parking") if "parking" in item.values else _USUAL_PARKING,
+        parking=_text(item, "parking") if item.has("parking") else _USUAL_PARKING,
         tool_change=_text(item, "tool_change"),
         turn=_text(item, "turn"),
         footer=_text(item, "footer"),

@@ -12,6 +12,8 @@ from insole_core.milling.drop_cutter import finishing_heights
 from insole_core.milling.machine import Cutter, Machine
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (
+    CLEARANCE_MM,
+    LINK_MM,
     Operation,
     PathWriter,
     SideName,
@@ -23,11 +25,7 @@ _CLOSE_MM = 0.003
 """By which straight pieces may leave a finishing path."""
 OVER_RIM = 0.95
 """Share of the radius by which a ball goes over the rim: it touches edges that fall by 70°."""
-_CLEARANCE_MM = 1.0
-"""Above material that is known to be gone, down to which a rapid move goes."""
 _LINK_LINES = 1
-_LINK_MM = 12.0
-"""Longest way between two pieces that is quicker beside the surface than above the block."""
 _GONE = 10**6
 """Node of pieces that have been followed, far from all."""
 
@@ -50,14 +48,18 @@ class Raster:
     lines: IntArray
     tips_mm: FloatArray
 
-    def points(self, run: Run, heights_mm: FloatArray, needed: BoolArray) -> FloatArray:
+    def at(self, line: int, nodes: IntArray) -> FloatArray:
+        """Return the tips (n, 3) at nodes of a line."""
+        points = np.empty((len(nodes), 3))
+        points[:, 0] = self.surface.x_mm[self.lines[line]]
+        points[:, 1] = self.surface.y_mm[nodes]
+        points[:, 2] = self.tips_mm[line, nodes]
+        return points
+
+    def points(self, run: Run, needed: BoolArray) -> FloatArray:
         """Return the points (n, 3) of a run, along y."""
         nodes = run.start + np.flatnonzero(needed[run.line, run.start : run.end + 1])
-        points = np.empty((len(nodes), 3))
-        points[:, 0] = self.surface.x_mm[self.lines[run.line]]
-        points[:, 1] = self.surface.y_mm[nodes]
-        points[:, 2] = heights_mm[run.line, nodes]
-        return without_collinear(points)
+        return without_collinear(self.at(run.line, nodes))
 
     def link_height(self, line: int, other: int, nodes: tuple[int, int]) -> float:
         """Return the height at which the cutter may go from one line to the next."""
@@ -83,7 +85,7 @@ def finishing(
     allowed = surface.beside_mm <= how.cutter.radius_mm * OVER_RIM
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
     raster = Raster(surface, how.cutter, lines, tips[lines])
-    _follow(raster, tips[lines], allowed[lines], writer)
+    _follow(raster, allowed[lines], writer)
     added = added_lines(surface, tips, how) & allowed
     whole = Raster(surface, how.cutter, np.arange(len(tips)), tips)
     _follow_pieces(whole, added, allowed, writer)
@@ -110,13 +112,13 @@ def _follow_pieces(
         number, turned = _nearest(waiting, here)
         waiting[number] = _GONE
         start, end = ends[number][::-1] if turned else ends[number]
-        points = raster.points(runs[number], tips, needed)
+        points = raster.points(runs[number], needed)
         points = points[::-1] if turned else points
         link = None if here is None else _link(tips, allowed, here, start, step)
         if link is None:
             reach = int(raster.cutter.radius_mm / step)
             round_it = tuple(slice(max(node - reach, 0), node + reach + 1) for node in start)
-            writer.start(points, float(tips[round_it].max()) + _CLEARANCE_MM)
+            writer.start(points, float(tips[round_it].max()) + CLEARANCE_MM)
         else:
             across = np.stack([writer.last_mm, points[0]])
             across[:, 2] = link
@@ -139,7 +141,7 @@ def _link(
 ) -> float | None:
     """Return the height of a way from one node to another; None where the cutter lifts."""
     low, high = np.minimum(here, there), np.maximum(here, there) + 1
-    if (high - low).max() * step_mm > _LINK_MM:
+    if (high - low).max() * step_mm > LINK_MM:
         return None
     spanned = slice(low[0], high[0]), slice(low[1], high[1])
     return float(tips[spanned].max()) + _CLOSE_MM if allowed[spanned].all() else None
@@ -151,18 +153,13 @@ def raster_lines(surface: Surface, step_over_mm: float) -> IntArray:
     return np.arange(0, len(surface.x_mm), every)
 
 
-def _follow(
-    raster: Raster,
-    heights_mm: FloatArray,
-    active: BoolArray,
-    writer: PathWriter,
-) -> None:
+def _follow(raster: Raster, active: BoolArray, writer: PathWriter) -> None:
     """Write all runs, to and fro where the next one begins beside the last one's end."""
-    needed = needed_nodes(heights_mm, active, _CLOSE_MM)
+    needed = needed_nodes(raster.tips_mm, active, _CLOSE_MM)
     waiting = runs_of(active)
     while waiting:
         run, forward = waiting.pop(0), True
-        points = raster.points(run, heights_mm, needed)
+        points = raster.points(run, needed)
         writer.start(points)
         while (found := _next(raster, waiting, run, forward, active)) is not None:
             here = run.end if forward else run.start
@@ -170,7 +167,7 @@ def _follow(
             there = found.end if forward else found.start
             height = raster.link_height(run.line, found.line, (here, there))
             last, forward, run = points[-1], not forward, found
-            points = raster.points(run, heights_mm, needed)
+            points = raster.points(run, needed)
             points = points if forward else points[::-1]
             height = max(height, last[2], points[0, 2])
             across = np.array([[last[0], last[1], height], [points[0, 0], points[0, 1], height]])

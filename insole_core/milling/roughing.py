@@ -10,6 +10,8 @@ from insole_core.milling.machine import Machine
 from insole_core.milling.rasters import Raster, Run, raster_lines, runs_of
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (
+    CLEARANCE_MM,
+    LINK_MM,
     RAMP,
     Operation,
     PathWriter,
@@ -19,11 +21,7 @@ from insole_core.milling.tool_path import (
 )
 from insole_core.progress import SILENT, Progress
 
-_CLEARANCE_MM = 1.0
-"""Above material that is known to be gone, down to which a rapid move goes."""
 _LEAST_CUT_MM = 0.05
-_LINK_MM = 12.0
-"""Longest way back on a line that is quicker than above the block."""
 _SHORTEST_RAMP_MM = 2.0
 """A run that is shorter is entered from above."""
 _SAME_MM = 1e-6
@@ -55,7 +53,6 @@ def roughing(
     how = machine.roughing
     lines = raster_lines(surface, how.step_over_mm)
     tips = tip_heights(surface, how.cutter, lines, how.allowance_mm)
-    raster = Raster(surface, how.cutter, lines, tips)
     allowed = surface.beside_mm[lines] <= reach_mm
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
     lowest = float(tips[allowed].min())
@@ -63,30 +60,28 @@ def roughing(
     for number, step in enumerate(progress.parts(count), 1):
         step.step(0.0, "Roughing, level {level} of {levels}", level=number, levels=count)
         above = block_height_mm - (number - 1) * how.step_down_mm
-        heights = np.maximum(tips, above - how.step_down_mm)
+        raster = Raster(surface, how.cutter, lines, np.maximum(tips, above - how.step_down_mm))
         active = allowed & (tips < above - _LEAST_CUT_MM)
-        _Level(raster, heights, active, above, how.allowance_mm / 10).write(writer)
+        _Level(raster, active, above, how.allowance_mm / 10).write(writer)
     return None if writer.is_empty else writer.operation("roughing", side, how.cutter)
 
 
 class _Level:
-    """One level of the block, which is free above `above_mm` where it is active."""
+    """One level of the block, which is free above `above_mm` where it is active.
 
-    def __init__(
-        self,
-        raster: Raster,
-        heights_mm: FloatArray,
-        active: BoolArray,
-        above_mm: float,
-        close_mm: float,
-    ) -> None:
+    Parameters
+    ----------
+    raster
+        Its tips are those of the level.
+    """
+
+    def __init__(self, raster: Raster, active: BoolArray, above_mm: float, close_mm: float) -> None:
         self._raster = raster
-        self._heights_mm = heights_mm
         self._above_mm = above_mm
-        self._needed = needed_nodes(heights_mm, active, close_mm)
+        self._needed = needed_nodes(raster.tips_mm, active, close_mm)
         self._waiting = runs_of(active)
         step_mm, radius_mm = raster.surface.step_mm, raster.cutter.radius_mm
-        self._link_nodes = int(_LINK_MM / step_mm)
+        self._link_nodes = int(LINK_MM / step_mm)
         self._shortest = int(np.ceil(_SHORTEST_RAMP_MM / step_mm))
         spacing_mm = float(np.diff(raster.lines).max(initial=1)) * step_mm
         inset_mm = radius_mm - np.sqrt(max(radius_mm**2 - (spacing_mm / 2) ** 2, 0.0))
@@ -98,7 +93,7 @@ class _Level:
         while self._waiting:
             run, forward = self._waiting.pop(0), True
             way = self._ramped(run.line, _ordered(run.start, run.end), self._above_mm)
-            writer.start(way, self._above_mm + _CLEARANCE_MM)
+            writer.start(way, self._above_mm + CLEARANCE_MM)
             while (found := self._beside(run, forward)) is not None:
                 other, node = found
                 self._waiting.remove(other)
@@ -126,27 +121,20 @@ class _Level:
         here, there = (run.end, other.end) if forward else (run.start, other.start)
         far = other.start if forward else other.end
         nodes = _ordered(here, node)
-        back = self._way(run.line, nodes, self._heights_mm[run.line, nodes])
+        back = self._way(run.line, nodes, self._raster.tips_mm[run.line, nodes])
         across_mm = max(
             self._raster.link_height(run.line, other.line, (node - 1, node + 1)),
             back[-1, 2],
-            self._heights_mm[other.line, node],
         )
-        across = np.stack([back[-1], self._points(other.line, np.array([node]))[0]])
+        across = np.stack([back[-1], self._raster.at(other.line, np.array([node]))[0]])
         across[:, 2] = across_mm
         out = self._ramped(other.line, _ordered(node, there), across_mm)
         whole = self._ramped(other.line, _ordered(there, far), float(out[-1, 2]))
         return np.concatenate([back, across, out, whole])
 
-    def _points(self, line: int, nodes: IntArray) -> FloatArray:
-        """Return the points (n, 3) at nodes of a line, on the level."""
-        surface = self._raster.surface
-        x_mm = np.full(len(nodes), surface.x_mm[self._raster.lines[line]])
-        return np.column_stack([x_mm, surface.y_mm[nodes], self._heights_mm[line, nodes]])
-
     def _way(self, line: int, nodes: IntArray, heights_mm: FloatArray) -> FloatArray:
         """Return those points (n, 3) of a way along nodes, on the level or above, that it needs."""
-        points = self._points(line, nodes)
+        points = self._raster.at(line, nodes)
         is_above = heights_mm > points[:, 2] + _SAME_MM
         points[:, 2] = heights_mm
         changes = is_above[1:] != is_above[:-1]
@@ -162,12 +150,13 @@ class _Level:
         It sinks no steeper than the ramp. Where it stays above the level, it goes back and forth
         there until it has sunk.
         """
-        level = self._heights_mm[line, nodes]
+        level = self._raster.tips_mm[line, nodes]
         if len(nodes) <= self._shortest:
             return self._way(line, nodes, level)
         sunk = self._sinking(level, from_mm)
         pieces, begin = [], 0
-        for first, last in _stretches(sunk > level + _LEAST_CUT_MM):
+        for above in runs_of((sunk > level + _LEAST_CUT_MM)[None]):
+            first, last = above.start, min(above.end + 1, len(nodes) - 1)
             pieces.append(self._way(line, nodes[begin : last + 1], sunk[begin : last + 1]))
             stretch = slice(max(min(first, last - self._shortest), 0), last + 1)
             pieces += self._to_and_fro(line, nodes[stretch], level[stretch], float(sunk[last]))
@@ -201,13 +190,6 @@ class _Level:
         lifted = level_mm + fallen_mm
         lifted[0] = max(lifted[0], from_mm)
         return np.asarray(np.maximum.accumulate(lifted) - fallen_mm)
-
-
-def _stretches(mask: BoolArray) -> list[tuple[int, int]]:
-    """Return the first node of each stretch of a mask (n,), and the one behind its last, if any."""
-    edges = np.diff(np.pad(mask.astype(np.int8), 1))
-    ends = np.minimum(np.flatnonzero(edges == -1), len(mask) - 1)
-    return list(zip(np.flatnonzero(edges == 1).tolist(), ends.tolist(), strict=True))
 
 
 def _ordered(first: int, last: int) -> IntArray:

@@ -17,6 +17,10 @@ _STRAIGHT = 1e-9
 """One minus the cosine between pieces of a straight line."""
 RAMP = 0.5
 """Fall per way, 27 degrees, at which a cutter goes into what is solid."""
+CLEARANCE_MM = 1.0
+"""Above material that is known to be gone, down to which a rapid move goes."""
+LINK_MM = 12.0
+"""Longest way within the block from one run to another that is quicker than above it."""
 _STEEP = 3.0
 """Fall per way, 72 degrees, from which a cutter plunges."""
 SideName: TypeAlias = Literal["foot side", "underside"]
