@@ -22,7 +22,6 @@ from insole_core.milling.gcode import gcode
 from insole_core.milling.machine import Machine, read_machine
 from insole_core.milling.plan import MillingPlan, plan_milling
 from insole_core.milling.sides import turned_over
-from insole_core.milling.tool_path import Motion
 from insole_core.resources import resource_path
 from insole_core.solids.nesting import closest_nest
 from insole_core.solids.simplification import simplify
@@ -156,14 +155,11 @@ def _judged(plan: MillingPlan, both: bool) -> _Result:
 def _engaged(plan: MillingPlan) -> tuple[int, int, float]:
     """Count falls at cutting feed, and roughing moves deeper than a step; give the deepest."""
     fast, deep, deepest = 0, 0, 0.0
-    step_mm = plan.machine.roughing.step_down_mm + 0.1
     for moves in moves_of(plan):
-        cuts = moves.motion != Motion.RAPID
-        at_feed = moves.motion == Motion.FEED
-        fast += int((moves.falls & at_feed & (moves.depth_mm > 1)).sum())
+        fast += int(moves.fast_plunges.sum())
         if moves.operation.name == "roughing":
-            deep += int((cuts & (moves.depth_mm > step_mm)).sum())
-        deepest = max(deepest, float(moves.depth_mm[cuts].max()))
+            deep += int(moves.too_deep(plan.machine.roughing.step_down_mm).sum())
+        deepest = max(deepest, float(moves.depth_mm[moves.cuts].max()))
     return fast, deep, deepest
 
 

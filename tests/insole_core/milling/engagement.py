@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from insole_core.milling.plan import MillingPlan
-from insole_core.milling.tool_path import Operation
+from insole_core.milling.tool_path import Motion, Operation
+from tests.insole_core.milling.removal import along
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
@@ -25,15 +26,24 @@ class Moves:
     way_mm: FloatArray
 
     @property
-    def motion(self) -> IntArray:
-        return self.operation.motion[1:]
+    def cuts(self) -> npt.NDArray[np.bool_]:
+        """Whether a move may take something away."""
+        return self.operation.motion[1:] != Motion.RAPID
 
     @property
-    def falls(self) -> npt.NDArray[np.bool_]:
-        """Whether a move goes down by more than 1 mm, steeper than 3 in 1."""
-        return (self.way_mm[:, 2] < -1) & (
-            -self.way_mm[:, 2] > 3 * np.hypot(self.way_mm[:, 0], self.way_mm[:, 1])
-        )
+    def plunges(self) -> npt.NDArray[np.bool_]:
+        """Whether a move goes down into solid by more than 1 mm, steeper than 3 in 1."""
+        x, y, z = self.way_mm.T
+        return self.cuts & (self.depth_mm > 1) & (z < -1) & (-z > 3 * np.hypot(x, y))
+
+    @property
+    def fast_plunges(self) -> npt.NDArray[np.bool_]:
+        """Whether it does so at cutting feed."""
+        return self.plunges & (self.operation.motion[1:] == Motion.FEED)
+
+    def too_deep(self, step_down_mm: float) -> npt.NDArray[np.bool_]:
+        """Whether a move cuts deeper than a step, but for what a pixel may be off."""
+        return self.cuts & (self.depth_mm >= step_down_mm + 0.1)
 
 
 def moves_of(plan: MillingPlan) -> list[Moves]:
@@ -48,12 +58,8 @@ def moves_of(plan: MillingPlan) -> list[Moves]:
 
 def _cut(operation: Operation, heights_mm: FloatArray) -> Moves:
     way = np.diff(operation.points_mm, axis=0)
-    counts = np.maximum(np.ceil(np.linalg.norm(way, axis=1) / _SAMPLE_MM).astype(int), 1)
-    move = np.repeat(np.arange(len(way)), counts)
-    share = (np.arange(len(move)) - np.repeat(np.cumsum(counts) - counts, counts) + 1) / counts[
-        move
-    ]
-    samples = operation.points_mm[move] + way[move] * share[:, None]
+    points = operation.points_mm
+    move, samples = along(points[:-1], points[1:], np.linalg.norm(way, axis=1) / _SAMPLE_MM)
     depth = np.zeros(len(way))
     for part in _whole_moves(move):
         _take(operation, heights_mm, samples[part], move[part], depth)

@@ -24,6 +24,16 @@ class Tool:
         return self.radius_mm - np.sqrt(np.maximum(self.radius_mm**2 - distance2, 0))
 
 
+def along(
+    starts: FloatArray, ends: FloatArray, counts: FloatArray
+) -> tuple[npt.NDArray[np.int64], FloatArray]:
+    """Evenly spaced places (m, 3) on moves (n, 3), at least as many as asked, and their moves."""
+    pieces = np.maximum(np.ceil(counts).astype(int), 1)
+    move = np.repeat(np.arange(len(pieces)), pieces)
+    number = np.arange(len(move)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
+    return move, starts[move] + (ends - starts)[move] * (number / pieces[move])[:, None]
+
+
 @dataclass
 class Removal:
     """A block on whose top material is removed; `heights` is (x, y), above its bottom."""
@@ -111,13 +121,9 @@ class Removal:
     def _samples(self, starts: FloatArray, ends: FloatArray, pitch_mm: float) -> FloatArray:
         across = np.linalg.norm(ends[:, :2] - starts[:, :2], axis=1)
         # Along a slope too, the tip sinks no more than a pitch between two samples.
-        steps = np.ceil(np.maximum(across, np.abs(ends - starts)[:, 2] / 3) / pitch_mm)
-        pieces = np.maximum(steps.astype(int), 1)
-        edge = np.repeat(np.arange(len(pieces)), pieces)
-        share = (np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1) / pieces[
-            edge
+        return along(starts, ends, np.maximum(across, np.abs(ends - starts)[:, 2] / 3) / pitch_mm)[
+            1
         ]
-        return starts[edge] + (ends - starts)[edge] * share[:, None]
 
     def _offsets(self, tool: Tool) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
         reach = int(tool.radius_mm / self.pitch_mm) + 1

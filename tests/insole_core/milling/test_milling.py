@@ -25,7 +25,6 @@ from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.motion_time import motion_minutes
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.milling.sides import turned_over
-from insole_core.milling.tool_path import Motion
 from insole_core.resources import resource_path
 from insole_core.workflows.mill import write_program
 from tests.insole_core.milling.engagement import moves_of
@@ -329,13 +328,11 @@ def test_what_is_solid_is_entered_by_ramps_and_cut_no_deeper_than_a_step(form, b
     how = machine("grbl")
     plan = plan_milling([solid(**form)], BLOCK_MM, how, both_sides=both_sides)
     for moves in moves_of(plan):
-        cuts = moves.motion != Motion.RAPID
-        at_feed = moves.motion == Motion.FEED
-        assert not (moves.falls & at_feed & (moves.depth_mm > 1)).any()
-        assert moves.depth_mm[~cuts].max() < 0.05
+        assert not moves.fast_plunges.any()
+        assert moves.depth_mm[~moves.cuts].max() < 0.05
         if moves.operation.name == "roughing":
-            assert moves.depth_mm[cuts].max() < how.roughing.step_down_mm + 0.1
-            assert (moves.depth_mm[moves.falls & cuts] > 1).sum() < 5
+            assert not moves.too_deep(how.roughing.step_down_mm).any()
+            assert moves.plunges.sum() < 5
 
 
 def test_a_machine_file_from_before_keeps_the_offset_of_its_header(tmp_path):
