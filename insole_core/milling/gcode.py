@@ -38,7 +38,7 @@ def _lines(plan: MillingPlan, job: str, progress: Progress) -> Iterator[str]:
     first = plan.operations[0].cutter
     yield from _filled(machine.texts.header, words | _tool(first.number, first.name, 0))
     yield f"{_PREAMBLE} {machine.work_offset}"
-    side, tool, is_parked = plan.operations[0].side, 0, False
+    side, tool = plan.operations[0].side, 0
     for operation, step in zip(plan.operations, progress.parts(len(plan.operations)), strict=True):
         step.step(0.0, "Writing the program")
         cutter = operation.cutter
