@@ -18,7 +18,7 @@ import numpy.typing as npt
 import scipy
 
 from insole_core.errors import InputError
-from insole_core.formats.raw_surface import RawSurface, placed
+from insole_core.formats.raw_surface import RawSurface, join_placed
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent
 from insole_core.formats.texture import (
     MOST_TEXTURE_BYTES,
@@ -65,35 +65,38 @@ def read_gltf(source: ScanContent) -> RawSurface:
             method=_COMPRESSED[min(names)],
         )
     parts = [
-        part
+        (part, node2scene)
         for mesh, node2scene in document.placed_meshes()
-        for primitive in mesh["primitives"]
-        if (part := document.part(primitive, node2scene)) is not None
+        for part in document.parts(mesh)
     ]
     return _joined(parts, tuple(dict.fromkeys(document.notes)))
 
 
 @dataclass(frozen=True, eq=False)
 class _Part:
+    """A primitive, in the frame of its node; normals are those of a cloud of points."""
+
     vertices: FloatArray
     triangles: IntArray
     colors: ByteArray | None
     normals: FloatArray | None
 
 
-def _joined(parts: list[_Part], notes: tuple[str, ...]) -> RawSurface:
-    """Join the surfaces; clouds of points count only where there is no surface."""
-    surfaces = [part for part in parts if len(part.triangles)] or parts
+def _joined(parts: list[tuple[_Part, FloatArray]], notes: tuple[str, ...]) -> RawSurface:
+    """Join the surfaces at their places; clouds of points count only where there is no surface."""
+    surfaces = [(part, place) for part, place in parts if len(part.triangles)] or parts
     if not surfaces:
         raise ValueError(Message("it holds no mesh"))
-    counts = [len(part.vertices) for part in surfaces]
-    starts = np.cumsum([0, *counts[:-1]])
-    triangles = [part.triangles + start for part, start in zip(surfaces, starts, strict=True)]
-    colors = [part.colors for part in surfaces if part.colors is not None]
-    normals = [part.normals for part in surfaces if part.normals is not None]
+    vertices, triangles = join_placed(
+        (part.vertices, part.triangles, place) for part, place in surfaces
+    )
+    colors = [part.colors for part, _ in surfaces if part.colors is not None]
+    normals = [
+        part.normals @ place[:3, :3].T for part, place in surfaces if part.normals is not None
+    ]
     return RawSurface(
-        np.concatenate([part.vertices for part in surfaces]),
-        np.concatenate(triangles).astype(np.int32),
+        vertices,
+        triangles,
         np.concatenate(colors) if len(colors) == len(surfaces) else None,
         np.concatenate(normals) if len(normals) == len(surfaces) else None,
         unit="m",
@@ -111,6 +114,7 @@ class _Document:
     notes: list[Message] = field(default_factory=list)
     buffers: dict[int, memoryview] = field(default_factory=dict)
     pictures: dict[int, ByteArray | None] = field(default_factory=dict)
+    meshes: dict[int, list[_Part]] = field(default_factory=dict)
 
     @classmethod
     def parsed(cls, source: ScanContent) -> _Document:
@@ -132,13 +136,13 @@ class _Document:
             )
         return cls(root, binary, source)
 
-    def placed_meshes(self) -> list[tuple[dict[str, Any], FloatArray]]:
-        """Return every mesh of the scene with the transform (4, 4) of its node."""
+    def placed_meshes(self) -> list[tuple[int, FloatArray]]:
+        """Return the number of every mesh of the scene with the transform (4, 4) of its node."""
         nodes, meshes = self.root.get("nodes", []), self.root.get("meshes", [])
         scenes = self.root.get("scenes", [])
         if not nodes or not scenes:
-            return [(mesh, np.eye(4)) for mesh in meshes]
-        found: list[tuple[dict[str, Any], FloatArray]] = []
+            return [(number, np.eye(4)) for number in range(len(meshes))]
+        found: list[tuple[int, FloatArray]] = []
         scene = scenes[_index(self.root.get("scene", 0), scenes)]
         waiting = [(number, np.eye(4), 0) for number in scene.get("nodes", [])]
         visited = 0
@@ -150,11 +154,19 @@ class _Document:
             node = nodes[_index(number, nodes)]
             node2scene = parent2scene @ _node2parent(node)
             if "mesh" in node:
-                found.append((meshes[_index(node["mesh"], meshes)], node2scene))
+                found.append((_index(node["mesh"], meshes), node2scene))
             waiting += [(child, node2scene, depth + 1) for child in node.get("children", [])]
         return found
 
-    def part(self, primitive: dict[str, Any], node2scene: FloatArray) -> _Part | None:
+    def parts(self, mesh: int) -> list[_Part]:
+        """Return the parts of a mesh, which is read once, however often it is placed."""
+        if mesh not in self.meshes:
+            primitives = self.root["meshes"][mesh]["primitives"]
+            parts = [self._part(primitive) for primitive in primitives]
+            self.meshes[mesh] = [part for part in parts if part is not None]
+        return self.meshes[mesh]
+
+    def _part(self, primitive: dict[str, Any]) -> _Part | None:
         """Return the triangles or points of a primitive; None for lines."""
         attributes = primitive["attributes"]
         vertices = self._numbers(attributes["POSITION"], 3)
@@ -167,12 +179,10 @@ class _Document:
             if "indices" in primitive:
                 corners = self._array(primitive["indices"], 1)[:, 0].astype(np.int64)
             triangles = _triangles(corners, mode)
-        if np.linalg.det(node2scene[:3, :3]) < 0:
-            triangles = triangles[:, ::-1]
         normals = None
         if mode == _POINTS and "NORMAL" in attributes:
-            normals = self._numbers(attributes["NORMAL"], 3) @ node2scene[:3, :3].T
-        return _Part(placed(vertices, node2scene), triangles, self._colors(primitive), normals)
+            normals = self._numbers(attributes["NORMAL"], 3)
+        return _Part(vertices, triangles, self._colors(primitive), normals)
 
     def _colors(self, primitive: dict[str, Any]) -> ByteArray | None:
         """Return the colours (n, 3) of the vertices by attribute or texture; None without."""

@@ -73,7 +73,7 @@ class RawSurface:
         )
 
 
-def placed(vertices: FloatArray, a2b: FloatArray) -> FloatArray:
+def _placed(vertices: FloatArray, a2b: FloatArray) -> FloatArray:
     """Transform vertices (n, 3) by `a2b` (4, 4), affine; equal ones stay equal to the last bit.
 
     A product of matrices rounds by the place of a row, and seams of a texture would open.
@@ -112,7 +112,7 @@ def join_placed(
         if len(faces) and (faces.min() < 0 or faces.max() >= len(points)):
             raise ValueError(Message("a triangle in it names a corner that it does not hold"))
         is_mirrored = np.linalg.det(place[:3, :3]) < 0
-        vertices.append(placed(points, place))
+        vertices.append(_placed(points, place))
         triangles.append((faces[:, ::-1] if is_mirrored else faces) + start)
         start += len(points)
     return np.concatenate(vertices), np.concatenate(triangles).astype(np.int32)

@@ -1,8 +1,10 @@
-"""A damaged or hostile file of a format made of XML is refused in one clear sentence."""
+"""A damaged or hostile file of a format with parts is refused in one clear sentence."""
 
 from __future__ import annotations
 
+import base64
 import io
+import json
 import re
 import subprocess
 import sys
@@ -21,6 +23,7 @@ from insole_core.formats.reading import read_raw
 from insole_core.formats.scan_content import file_content
 from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.writing import write_solids
+from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.scans.mesh_file import read_mesh
 
@@ -42,6 +45,34 @@ def amf(folder: Path) -> bytes:
 def dae(folder: Path) -> bytes:
     content: bytes = trimesh.Trimesh(CORNERS, FACES, process=False).export(file_type="dae")
     return content
+
+
+def gltf(corners: FloatArray, faces: IndexArray, *, parts: int = 1, nodes: int = 1) -> bytes:
+    """Return a glTF of a mesh of equal parts, which several nodes place."""
+    data = corners.astype("<f4").tobytes() + faces.astype("<u4").tobytes()
+    uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    of_faces = {"buffer": 0, "byteOffset": 12 * len(corners), "byteLength": 4 * faces.size}
+    root = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0] * nodes}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}] * parts}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(corners), "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5125, "count": faces.size, "type": "SCALAR"},
+        ],
+        "bufferViews": [{"buffer": 0, "byteLength": 12 * len(corners)}, of_faces],
+        "buffers": [{"uri": uri, "byteLength": len(data)}],
+    }
+    return json.dumps(root).encode()
+
+
+def many_nodes(_: bytes) -> bytes:
+    return gltf(np.repeat(CORNERS, 1250, axis=0), FACES, nodes=5000)
+
+
+def corner_of_another_part(_: bytes) -> bytes:
+    return gltf(CORNERS, FACES + np.int32(1), parts=2)
 
 
 def packed(*names: str) -> Change:
@@ -162,9 +193,15 @@ BAD: dict[str, tuple[str, Change, str]] = {
     "COLLADA of a type": (".dae", behind_head(b"<!DOCTYPE COLLADA>"), "a type of its document"),
     "COLLADA that hides an archive": (".dae", hiding_an_archive, "hides a zip archive"),
     "COLLADA, archive": (".dae", packed("foot.dae"), "zip archive"),
+    "glTF, 5000 corners 5000 times": (".gltf", many_nodes, "far more corners"),
+    "glTF, corner of another part": (
+        ".gltf",
+        corner_of_another_part,
+        "corner that it does not hold",
+    ),
     "STL in the name of an AMF": (".amf", lambda _: b"solid x\n", "something else than its name"),
 }
-SOUND = {".amf": amf, ".dae": dae}
+SOUND = {".amf": amf, ".dae": dae, ".gltf": lambda _: gltf(CORNERS, FACES)}
 
 
 @pytest.mark.parametrize("what", BAD)
@@ -211,6 +248,14 @@ def test_bodies_of_one_assembly_are_one_object_of_an_amf(tmp_path: Path) -> None
     assert "Insole P-17" in text
     assert "Fuß &amp; &lt;wedge&gt;" in text
     assert len(read_raw(file_content(path)).triangles) == 3 * len(FACES)
+
+
+def test_nodes_of_a_gltf_place_one_mesh_twice(tmp_path: Path) -> None:
+    path = tmp_path / "foot.gltf"
+    path.write_bytes(gltf(CORNERS, FACES, nodes=2))
+    raw = read_raw(file_content(path))
+    assert raw.vertices == pytest.approx(np.tile(CORNERS, (2, 1)))
+    assert raw.triangles.tolist() == [*FACES.tolist(), *(FACES + 4).tolist()]
 
 
 def test_constellations_of_an_amf_hold_each_other(tmp_path: Path) -> None:
