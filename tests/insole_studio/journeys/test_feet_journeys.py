@@ -659,22 +659,21 @@ def test_what_is_said_of_the_open_case_waits_while_a_page_of_the_record_is_shown
     qtbot: QtBot,
     page: str,
 ) -> None:
-    def said(text: str) -> bool:
-        QApplication.processEvents()
+    def said() -> list[bool]:
+        """Return whether the sentence on the scan and the one on the program are shown."""
         labels = app.stage.notices.findChildren(ElidedLabel)
-        return any(label.isVisible() and text in label.text() for label in labels)
+        shown = [label.text() for label in labels if label.isVisible()]
+        return [any(text in s for s in shown) for text in ("The heel is missing", "New here?")]
 
     app.main.help.offer_tour()
     app.features.case_files.opener.open_path(scan(Side.LEFT), Side.LEFT)
     settle()
     insist_on(app, settle, Side.LEFT)
-    assert said("The heel is missing")
-    assert said("New here?")
+    qtbot.waitUntil(lambda: said() == [True, True])
     app.window.actions_by_key[page].trigger()
     qtbot.waitUntil(lambda: app.window.page is not None)
-    assert not said("The heel is missing")
-    assert said("New here?")
+    qtbot.waitUntil(lambda: said() == [False, True])
     step = next(b for b in app.stage.steps.findChildren(QToolButton) if "Design" in b.text())
     QTest.mouseClick(step, LEFT_BUTTON)
     qtbot.waitUntil(lambda: app.window.page is None)
-    assert said("The heel is missing")
+    qtbot.waitUntil(lambda: said() == [True, True])
