@@ -134,6 +134,11 @@ class ClinicRecord(QObject):
         return self._records is not None and self._records.is_read_only
 
     @property
+    def is_writable(self) -> bool:
+        """Whether the record can be asked, and changed."""
+        return self.is_open and not self.is_read_only
+
+    @property
     def problem(self) -> Message | None:
         """Why an open record cannot be changed, such as damage; None where it can."""
         return None if self._records is None else self._records.problem

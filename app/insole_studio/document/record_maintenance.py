@@ -51,8 +51,7 @@ class RecordMaintenance(QObject):
         """Sweep in the background, unless that was done today."""
         self._forget()
         today = date.today()
-        is_ready = self._clinic.is_open and not self._clinic.is_read_only
-        if not is_ready or self._swept_on == today:
+        if not self._clinic.is_writable or self._swept_on == today:
             return
         self._swept_on = today
         self._clinic.ask(SWEEP, _sweep, lambda _swept: self.swept.emit(), _note_failure)

@@ -136,7 +136,7 @@ class Backups(QObject):
     def remind(self) -> None:
         """Let the start page say if the record has not been backed up for long."""
         clinic = self._services.clinic
-        if clinic.is_open and not clinic.is_read_only:
+        if clinic.is_writable:
             clinic.ask(REMIND, read_facts, self._show_reminder, self._note_no_facts)
         else:
             self.reminder_changed.emit("")
@@ -182,7 +182,7 @@ class Backups(QObject):
         now = datetime.now().astimezone()
         is_waiting = self._retry_at is not None and now < self._retry_at
         folder, clinic = self.folder, self._services.clinic
-        if clinic.is_open and not clinic.is_read_only and not self.is_running and not is_waiting:
+        if clinic.is_writable and not self.is_running and not is_waiting:
             assert folder is not None
             self.jobs.start(
                 LOOK, lambda _progress: newest_in(folder), self._go_on, self._note_failure

@@ -151,7 +151,7 @@ class OrderActions(QObject):
             Unsaved work that the record does not take; the orders of its visits wait for it.
         """
         clinic = self._clinic
-        if not clinic.is_open or clinic.is_read_only or not clinic.may_show_patients:
+        if not clinic.is_writable or not clinic.may_show_patients:
             return
         for left in self._kept.take_over():
             try:

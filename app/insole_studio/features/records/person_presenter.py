@@ -236,7 +236,7 @@ class PersonPresenter:
         self._pictures.want([version for shown in pictured for version in shown.newest])
 
     def _show_state(self) -> None:
-        self._page.show_editable(self._clinic.is_open and not self._clinic.is_read_only)
+        self._page.show_editable(self._clinic.is_writable)
 
     def _show_fields(self) -> None:
         if (person := self.person) is not None:

@@ -52,7 +52,7 @@ class VisitPhotos(QObject):
 
     def _store_left(self) -> None:
         clinic = self._services.clinic
-        if not clinic.is_open or clinic.is_read_only or not clinic.may_show_patients:
+        if not clinic.is_writable or not clinic.may_show_patients:
             return
         self._left |= {left.key: left for left in self._waiting.take_over()}
         for left in list(self._left.values()):

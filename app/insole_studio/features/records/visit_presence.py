@@ -61,7 +61,7 @@ class VisitPresence(QObject):
 
     def _enter(self) -> None:
         visit_id = self._visit_id
-        if not self._clinic.is_open or self._clinic.is_read_only:
+        if not self._clinic.is_writable:
             return
         self._clinic.ask(
             CHANNEL,
