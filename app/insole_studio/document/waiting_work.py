@@ -135,9 +135,7 @@ def forget_visits(folder: Path, visit_ids: Collection[str]) -> None:
     """
     for left, lock in _left_in(folder, None):
         with lock:
-            for path in _works_in(left):
-                if _visit_of(path) in visit_ids:
-                    remove_files(path)
+            remove_files(*(path for path in _works_in(left) if _may_be_of(visit_ids, path)))
             remove_files(*left.glob("*.broken-*"))  # whose they are is not known
             _remove_empty(left)
 
@@ -166,14 +164,13 @@ def _read(path: Path) -> LeftWork:
     return LeftWork(path.stem, content.text(_VISIT), content)
 
 
-def _visit_of(path: Path) -> str | None:
-    """Return whose a piece of work is; None for a damaged one, which is kept under another name."""
+def _may_be_of(visit_ids: Collection[str], path: Path) -> bool:
+    """Return whether a piece of work is of one of the visits; of a damaged one nobody knows."""
     try:
-        return _read(path).visit_id
+        return _read(path).visit_id in visit_ids
     except InsoleError as error:
         log.warning("waiting work cannot be read: %s", error)
-        rename_unreadable(path)
-        return None
+        return True
 
 
 def _remove_empty(folder: Path) -> None:
