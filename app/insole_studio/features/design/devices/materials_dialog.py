@@ -33,6 +33,7 @@ from insole_core.insole.prescription.materials import (
     check_materials,
 )
 from insole_core.messages import Message
+from insole_studio.features.design.correction_names import capitalised
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
@@ -116,7 +117,7 @@ class MaterialsDialog(QDialog):
         self._materials = list(materials)
         self.list.blockSignals(True)
         self.list.clear()
-        self.list.addItems([_shown(material.name) for material in materials])
+        self.list.addItems([capitalised(material.name) for material in materials])
         names = [material.name for material in materials]
         self.list.setCurrentRow(names.index(chosen) if chosen in names else 0)
         self.list.blockSignals(False)
@@ -192,7 +193,7 @@ class MaterialsDialog(QDialog):
             widget.setEnabled(material is not None)
         self.remove.setEnabled(material is not None)
         material = material or ANY_MATERIAL
-        self.name.setText(_shown(material.name))
+        self.name.setText(capitalised(material.name))
         self.least.show_value(material.least_mm)
         self.least_edge.show_value(material.least_edge_mm)
         self.steps.show_steps(material.steps)
@@ -331,16 +332,10 @@ def _millimetres() -> NumberField:
     return field
 
 
-def _shown(name: str) -> str:
-    """Return a name as it is listed: those of the product in the language of the window."""
-    text = translate_core_message(name)
-    return text[:1].upper() + text[1:]
-
-
 def _typed(line: QLineEdit, before: str) -> str:
     """Return the text of a line; what it was before if only its translation is shown."""
     text = line.text().strip()
-    return before if text in (_shown(before), translate_core_message(before)) else text
+    return before if text in (capitalised(before), translate_core_message(before)) else text
 
 
 def _numbered(number: int) -> str:
