@@ -76,9 +76,7 @@ def is_covered(boxes_px: FloatArray, taken_px: FloatArray) -> BoolArray:
 
 def is_across_view(places: FloatArray, look: ViewTransform) -> BoolArray:
     """Return which of the places (n, 3) around a thing are beside it, not before or behind it."""
-    directions = places - places.mean(axis=0)
-    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    return np.abs(directions @ look.back) < _END_ON
+    return np.abs(_outwards(places) @ look.back) < _END_ON
 
 
 def moved_clear(
@@ -99,8 +97,7 @@ def moved_clear(
     -------
     (n, 3) float64
     """
-    outwards = places - places.mean(axis=0)
-    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+    outwards = _outwards(places)
     seen = np.abs(np.stack([outwards @ look.right, outwards @ look.up], axis=1))
     needed_px = (seen * half_px).sum(axis=1) + _CLEAR_PX
     shown_px = gaps_mm * np.linalg.norm(seen, axis=1) / look.mm_per_px
@@ -157,6 +154,12 @@ def moved_off(
             up = boxes[number, 3] - taken_px[over, 1].min() + _CLEAR_PX
             down_px[number] = down if down < up else -up
     return np.asarray(places - down_px[:, None] * look.mm_per_px * look.up)
+
+
+def _outwards(places: FloatArray) -> FloatArray:
+    """Return the unit vectors (n, 3) from the middle of places around a thing to each of them."""
+    away = places - places.mean(axis=0)
+    return np.asarray(away / np.linalg.norm(away, axis=1, keepdims=True))
 
 
 def _candidates(anchor: FloatArray, size: FloatArray) -> FloatArray:
