@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 import trimesh
 from PIL import Image
+from tetrahedron import CORNERS, FACES, TETRA
 
 from insole_core.errors import InputError
 from insole_core.formats.reading import read_raw
@@ -27,9 +28,6 @@ from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.scans.mesh_file import read_mesh
 
-CORNERS = np.array([[0.0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.125]])
-FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
-TETRA = TriangleMesh(CORNERS, FACES)
 LAUGHS = b'<!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>'
 OUTSIDE = b'<!DOCTYPE x [<!ENTITY a SYSTEM "file:///etc/hostname">]>'
 

@@ -6,8 +6,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import get_args
 
-import numpy as np
 import pytest
+from tetrahedron import CORNERS, FACES, TETRA
 
 from insole_core.export.shop_order import FILE_ROLES
 from insole_core.formats.file_formats import (
@@ -29,16 +29,12 @@ from insole_core.formats.reading import read_raw
 from insole_core.formats.scan_content import file_content
 from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.writing import write_solids
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.records.order import Order, OrderFile, OrderState
 from insole_core.records.person import Person
 from insole_core.workflows.records.person_dossier import PersonDossier, pseudonymous
 
 ALL = (*MESH_FORMATS, PROGRAM, JOB_SHEET, CHECKS)
 ENDINGS = [(form, ending) for form in ALL for ending in form.endings]
-CORNERS = np.array([[0.0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.125]])
-FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
-TETRA = TriangleMesh(CORNERS, FACES)
 
 
 def by_name(value: object) -> str:

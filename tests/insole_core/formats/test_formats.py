@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import trimesh
+from tetrahedron import CORNERS, FACES
 
 from insole_core.errors import OutputError, UsageError
 from insole_core.formats.file_formats import SOLID_SUFFIXES
@@ -19,8 +20,6 @@ from insole_core.formats.three_mf import CORE, OWN, SolidPart, write_3mf
 from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
 
-CORNERS = np.array([[0.0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.125]])
-FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
 COLORS = np.array([[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 8, 7]], np.uint8)
 TETRA = TriangleMesh(CORNERS, FACES, COLORS)
 
