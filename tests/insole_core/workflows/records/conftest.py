@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import date
+from pathlib import Path
 
 import pytest
 from stations import keep_quickly
@@ -32,6 +33,14 @@ def quick_keeping() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         keep_quickly(patch)
         yield
+
+
+@pytest.fixture
+def records(tmp_path: Path) -> Iterator[Records]:
+    """A new record of this computer."""
+    opened = open_records(RecordsPlace.local(tmp_path), Author("anna", "desk"))
+    yield opened
+    opened.close()
 
 
 @dataclass(frozen=True)

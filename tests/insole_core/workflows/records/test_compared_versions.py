@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from datetime import date
-from pathlib import Path
 
 import pytest
 
@@ -18,10 +16,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
-from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
-from insole_core.records.place import RecordsPlace
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
@@ -30,13 +25,6 @@ from insole_core.workflows.compare_case import Wanted, compare_sources, surface_
 pytestmark = pytest.mark.slow
 
 PELOTT = Pelott(centre_mm=(8.0, 150.0), height_mm=4.0)
-
-
-@pytest.fixture
-def records(tmp_path: Path) -> Iterator[Records]:
-    opened = open_records(RecordsPlace.local(tmp_path), Author("anna", "desk"))
-    yield opened
-    opened.close()
 
 
 @pytest.fixture

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from datetime import date
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,22 +16,12 @@ from insole_core.errors import Unreachable
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person, new_id
-from insole_core.records.place import RecordsPlace
 from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.records.keep_case import CaseChange, add_case, keep_case, visit_measures
 from insole_core.workflows.records.thumbnails import thumbnails
-
-
-@pytest.fixture
-def records(tmp_path: Path) -> Iterator[Records]:
-    opened = open_records(RecordsPlace.local(tmp_path), Author("anna", "desk"))
-    yield opened
-    opened.close()
 
 
 @pytest.fixture

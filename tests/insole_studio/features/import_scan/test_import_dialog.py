@@ -38,6 +38,12 @@ def right_foot() -> TriangleMesh:
 
 
 @pytest.fixture(scope="module")
+def far_foot(right_foot: TriangleMesh) -> TriangleMesh:
+    """A foot of which the scan is warned: its file has it 2 km away."""
+    return replace(right_foot, vertices=right_foot.vertices + np.array([2e6, 0, 0]))
+
+
+@pytest.fixture(scope="module")
 def box(right_foot: TriangleMesh) -> TriangleMesh:
     """A foam box into which both feet were pressed."""
     left_foot = build_foot(FootShape(side=Side.LEFT), np.random.default_rng(2), cell_mm=4.0).mesh
@@ -171,10 +177,9 @@ def test_what_is_no_foot_is_not_opened_at_the_first_press(
 
 
 def test_what_the_dialog_warns_of_is_not_said_again_once_the_scan_is_open(
-    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+    app: Application, open_scan: Open, settle: Callable[[], None], far_foot: TriangleMesh
 ) -> None:
-    far = replace(right_foot, vertices=right_foot.vertices + np.array([2e6, 0, 0]))
-    dialog = open_scan(far)
+    dialog = open_scan(far_foot)
     assert dialog is not None
     assert "so far from the origin" in dialog.doubts.text()
     QTest.keyClick(dialog, Qt.Key.Key_Return)
@@ -184,10 +189,9 @@ def test_what_the_dialog_warns_of_is_not_said_again_once_the_scan_is_open(
 
 
 def test_a_warning_of_a_scan_that_is_opened_without_the_dialog_is_said(
-    app: Application, open_scan: Open, right_foot: TriangleMesh
+    app: Application, open_scan: Open, far_foot: TriangleMesh
 ) -> None:
-    far = replace(right_foot, vertices=right_foot.vertices + np.array([2e6, 0, 0]))
-    assert open_scan(far, Side.RIGHT) is None  # type: ignore[call-arg]
+    assert open_scan(far_foot, Side.RIGHT) is None  # type: ignore[call-arg]
     (said,) = app.services.messages.dialogs
     assert "so far from the origin" in said.text()
 
