@@ -31,7 +31,9 @@ from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
@@ -101,14 +103,7 @@ DEVICES = clinic_devices(NOWHERE).load().items.values()
 FORMS = clinic_forms(NOWHERE).load().items.values()
 FINDINGS = ClinicFindings(NOWHERE).load().items.values()
 DESIGN = InsoleDesign(Side.LEFT)
-FORM = Form(
-    name="", length_mm=250, ball_width_mm=95, along_shares=(), across_shares=(), heights_mm=()
-)
-PARTS = (
-    DESIGN, DESIGN.outline, DESIGN.layers, Finish(), Shell(), Post(),
-    RimStation(border="medial", along=0.0, height_mm=1.0), Shoe(name="", inside_mm=()),
-    FORM, BaseForm(form=FORM),
-)  # fmt: skip
+PARTS = (InsoleDesign, Outline, Layers, Finish, Shell, Post, RimStation, Shoe, Form, BaseForm)
 LIBRARY = (
     {text for item in (*DEVICES, *FORMS, *FINDINGS) for text in (item.name, item.source)}
     | {word for item in (*DEVICES, *FINDINGS) for word in item.keywords}
@@ -314,7 +309,7 @@ def test_every_word_of_a_prescription_has_a_swedish_one() -> None:
         | {kind.name for kind in CORRECTION_TYPES.values()}
         | {pad.template.noun for pad in load_pads()}
     )
-    kinds = (*CORRECTION_TYPES.values(), *(type(part) for part in PARTS))
+    kinds = (*CORRECTION_TYPES.values(), *PARTS)
     fields = [found for kind in kinds for found in declared(kind).values()]
     words |= {word for found in fields for word in words_of(found)} - {""}
     assert words - CATALOGUE.keys() == set()
