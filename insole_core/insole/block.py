@@ -6,7 +6,8 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.build import Insole, active_pads
+from insole_core.insole.build import Insole
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_heights
 from insole_core.insole.primitives.height_field import HeightField
 
@@ -83,7 +84,7 @@ def apexes(insole: Insole) -> dict[tuple[int, int], FloatArray]:
     field = insole.contact
     rows, columns = field.heights_mm.shape
     found: dict[tuple[int, int], FloatArray] = {}
-    for pad in active_pads(insole.design):
+    for pad in insole.design.of(Pelott):
         column, row = (np.array(pad.centre_mm) - [field.x0_mm, field.y0_mm]) / field.step_mm
         j, i = int(np.floor(column)), int(np.floor(row))
         if 0 <= i < rows - 1 and 0 <= j < columns - 1:
@@ -116,7 +117,7 @@ def _apex(insole: Insole, i: int, j: int, u: float, v: float) -> FloatArray:
     corners = np.array([[field.x_mm[c], field.y_mm[r]] for r in (i, i + 1) for c in (j, j + 1)])
     base = field.heights_mm[i : i + 2, j : j + 2].ravel().copy()
     added = 0.0
-    for pad in active_pads(insole.design):
+    for pad in insole.design.of(Pelott):
         base -= pad_heights(pad, corners)
         added += float(pad_heights(pad, np.array([x, y])))
     weights = np.array([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v])

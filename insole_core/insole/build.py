@@ -20,7 +20,7 @@ from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.design_totals import check_totals
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import ContactBase, contact_base
-from insole_core.insole.surface.pads_on_surface import active_pads, apply_pads
+from insole_core.insole.surface.pads_on_surface import apply_pads
 from insole_core.progress import SILENT, Progress
 
 __all__ = [
@@ -28,7 +28,6 @@ __all__ = [
     "LEAST_MATERIAL_MM",
     "BaseStep",
     "Insole",
-    "active_pads",
     "apply_pads",
     "build_insole",
     "check_design_for",

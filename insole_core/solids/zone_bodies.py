@@ -16,7 +16,8 @@ from insole_core.formats.slicer_3mf import Modifier, PrintedPart
 from insole_core.formats.solid_content import merged
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.insole.build import Insole, active_pads
+from insole_core.insole.build import Insole
+from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.messages import Message, joined
@@ -249,7 +250,7 @@ class _BodyMaker:
         return to_manifold(everything_below(self._insole.contact, depth_mm))
 
     def _pads(self, zone: Zone) -> manifold3d.CrossSection:
-        pads = active_pads(self._insole.design)
+        pads = self._insole.design.of(Pelott)
         names = tuple(dict.fromkeys(pad.noun for pad in pads))
         wanted = [pad for pad in pads if zone.pad in ("", pad.noun)]
         if not pads:

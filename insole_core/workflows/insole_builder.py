@@ -15,7 +15,7 @@ from insole_core.insole.build import Insole, build_insole, check_design_for
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import ContactBase, base_key, contact_base, values_but
 from insole_core.insole.surface.followed_base import coarse_base
-from insole_core.insole.surface.pads_on_surface import Window, added_corrections
+from insole_core.insole.surface.pads_on_surface import Window
 from insole_core.memo import Memo
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.prism import Prism
@@ -230,5 +230,5 @@ def bare_key(foot: Foot, design: InsoleDesign) -> BareKey:
 
 def without_added(design: InsoleDesign) -> InsoleDesign:
     """Return the design without pads and strokes."""
-    added = {correction.id for correction in added_corrections(design)}
+    added = {correction.id for correction in design.of_stage("pad")}
     return replace(design, corrections=tuple(c for c in design.corrections if c.id not in added))

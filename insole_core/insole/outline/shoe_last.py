@@ -32,7 +32,7 @@ def last_heights_mm(design: InsoleDesign, y_mm: FloatArray, length_mm: float) ->
     (n,) float64, mm
         Over z = 0, which the last touches; zeros for a shoe without heel.
     """
-    pitch_mm = 0.0 if design.shell is None else design.shell.heel_pitch_mm
+    pitch_mm = design.heel_pitch_mm
     if pitch_mm == 0:
         return np.zeros_like(y_mm)
     return pitch_mm * (_over_chord(y_mm / length_mm) - _LOWEST)
@@ -55,7 +55,7 @@ def ground_heights_mm(design: InsoleDesign, y_mm: FloatArray, length_mm: float) 
     (n,) float64, mm, insole frame
         Zeros for a shoe without heel.
     """
-    pitch_mm = 0.0 if design.shell is None else design.shell.heel_pitch_mm
+    pitch_mm = design.heel_pitch_mm
     share = np.maximum(y_mm / length_mm, 0.0)
     return np.asarray(-pitch_mm * (_chord(share) + _LOWEST)) if pitch_mm else np.zeros_like(y_mm)
 

@@ -81,7 +81,6 @@ def shoe_outline(foot: Foot, design: InsoleDesign) -> ShoeOutline:
     chosen = shoe_inside(foot, design.outline)
     inside = full_outline(foot, room) if chosen is None else chosen
     sole = smoothed_along(inside + _WALL_MM * _outward(inside), _EVENING_MM)
-    pitch_mm = 0.0 if design.shell is None else design.shell.heel_pitch_mm
     back = inside[[inside[:, 1].argmin()]]
 
     def on_last(points: FloatArray) -> FloatArray:
@@ -102,7 +101,7 @@ def shoe_outline(foot: Foot, design: InsoleDesign) -> ShoeOutline:
         np.concatenate([on_last(back), on_ground(back)]),
         () if fit is None else tuple(on_last(piece) for piece in fit.wider()),
         0.0 if fit is None else fit.most_over_mm,
-        pitch_mm,
+        design.heel_pitch_mm,
         heel_lift_mm(design),
     )
 

@@ -111,6 +111,11 @@ class InsoleDesign(Part):
         return self.least_thickness_mm - self.taken_off_mm
 
     @property
+    def heel_pitch_mm(self) -> float:
+        """How much higher than the ball the shoe carries the heel; 0 without a shell."""
+        return 0.0 if self.shell is None else self.shell.heel_pitch_mm
+
+    @property
     def active(self) -> tuple[Correction, ...]:
         """The corrections that are switched on, in order."""
         return tuple(c for c in self.corrections if c.enabled)
@@ -130,7 +135,7 @@ class InsoleDesign(Part):
 
     def correction(self, correction_id: str) -> Correction | None:
         """Return the correction with this id, or None."""
-        return next((c for c in self.corrections if c.id == correction_id), None)
+        return self.found(correction_id, Correction)
 
     def with_added(self, correction: Correction) -> InsoleDesign:
         """Return the design with a correction appended."""

@@ -119,7 +119,7 @@ def apply_pads(base: ContactBase, design: InsoleDesign) -> HeightField:
         Insole frame, mm; equal to the base to the bit outside the outlines of the corrections.
     """
     heights = base.surface.heights_mm.copy()
-    for correction in added_corrections(design):
+    for correction in design.of_stage("pad"):
         _apply(heights, base, correction, _whole(base.surface))
     return replace(base.surface, heights_mm=heights)
 
@@ -141,7 +141,7 @@ def moved_pad(
     SurfaceChange
         The new surface, and the window in which it differs from `previous`.
     """
-    before, after = added_corrections(old), added_corrections(new)
+    before, after = old.of_stage("pad"), new.of_stage("pad")
     window = _changed_window(base, before, after)
     window = _with_smoothed(base, (*before, *after), window)
     if window.is_empty:
@@ -152,16 +152,6 @@ def moved_pad(
         _apply(part, base, correction, window)
     heights[window.rows, window.columns] = part
     return SurfaceChange(replace(base.surface, heights_mm=heights), window.widened(heights.shape))
-
-
-def added_corrections(design: InsoleDesign) -> tuple[Correction, ...]:
-    """Return the active corrections of a design that are added to its base."""
-    return design.of_stage("pad")
-
-
-def active_pads(design: InsoleDesign) -> tuple[Pelott, ...]:
-    """Return the active pads of a design."""
-    return design.of(Pelott)
 
 
 def _changed_window(

@@ -17,18 +17,13 @@ LEAST_LEFT_MM = 1.5
 _BEND_MM = 6.0  # distance from the line over which the underside bends
 
 
-def rockers(design: InsoleDesign) -> tuple[Rocker, ...]:
-    """Return the active rockers of a design."""
-    return design.of(Rocker)
-
-
 def rocker_heights_mm(design: InsoleDesign, foot: Foot, field: HeightField) -> FloatArray:
     """Return by how much the rockers of a design ask the underside to rise, (ny, nx), mm."""
     ahead = ahead_of_heads_mm(foot, field)
     asked = [
         np.tan(np.radians(rocker.slope_deg))
         * smooth_hinge(ahead + rocker.behind_heads_mm, _BEND_MM)
-        for rocker in rockers(design)
+        for rocker in design.of(Rocker)
     ]
     return np.asarray(np.max([np.zeros_like(ahead), *asked], axis=0))
 

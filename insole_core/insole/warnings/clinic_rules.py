@@ -14,7 +14,15 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
-from insole_core.insole.elements import ArchRaise, HeelCup, HeelLift, HeelSkive, Pelott, Posting
+from insole_core.insole.elements import (
+    ArchRaise,
+    HeelCup,
+    HeelLift,
+    HeelSkive,
+    Pelott,
+    Posting,
+    Rocker,
+)
 from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign
@@ -24,7 +32,7 @@ from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, finish_with_cups
 from insole_core.insole.primitives.outline_curve import inside_curve
-from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm, rockers
+from insole_core.insole.surface.rocker import LEAST_LEFT_MM, rocker_heights_mm
 from insole_core.insole.warnings.design_warning import DesignWarning
 from insole_core.insole.warnings.finish_warnings import finish_warnings
 from insole_core.insole.warnings.scan_warnings import scan_warnings
@@ -362,7 +370,8 @@ def _of_metatarsal_pad(
 def _of_rocker(insole: Insole) -> Iterator[DesignWarning]:
     """Warn of a rocker for which the forefoot is not thick enough."""
     design = insole.design
-    if not rockers(design):
+    rockers = design.of(Rocker)
+    if not rockers:
         return
     flat = design.bottom == "flat"
     thickness = insole.contact.heights_mm if flat else design.least_thickness_mm
@@ -378,7 +387,7 @@ def _of_rocker(insole: Insole) -> Iterator[DesignWarning]:
             least_mm=LEAST_LEFT_MM,
         )
         place = float(insole.contact.x_mm[column]), float(insole.contact.y_mm[row])
-        yield DesignWarning(thin, rockers(design)[0].id, place)
+        yield DesignWarning(thin, rockers[0].id, place)
 
 
 def _of_arch(insole: Insole, arch: ArchRaise) -> Iterator[DesignWarning]:
