@@ -63,6 +63,10 @@ _ACROSS = (
     ("metatarsal_head_2", "metatarsal_head_5"),
 )  # fmt: skip
 """Pairs of landmarks of which the second lies lateral to the first."""
+_POSTED = (
+    "The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.",
+    "The forefoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.",
+)
 _USUAL_CUP_MM = 12.0
 _FARTHEST_AHEAD_MM = 50.0
 _AT_LINE = ("egg", "bar")
@@ -194,24 +198,12 @@ def _of_landmarks(side: Side, landmarks: Landmarks) -> Iterator[DesignWarning]:
 
 def _of_posting(design: InsoleDesign, rules: ClinicRules) -> Iterator[DesignWarning]:
     usual = rules.post_unusual_deg
-    rearfoot, forefoot = (rounded(angle, _SHOWN) for angle in posting_angles(design))
     cause = next((posting.id for posting in design.of(Posting)), "")
-    if abs(rearfoot) > usual:
-        posted = Message(
-            "The rearfoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.",
-            angle=abs(rearfoot),
-            edge=_edge(rearfoot),
-            usual=usual,
-        )
-        yield DesignWarning(posted, cause)
-    if abs(forefoot) > usual:
-        posted = Message(
-            "The forefoot is posted by {angle:g}° {edge}; more than {usual:g}° is unusual.",
-            angle=abs(forefoot),
-            edge=_edge(forefoot),
-            usual=usual,
-        )
-        yield DesignWarning(posted, cause)
+    for posted, angle_deg in zip(_POSTED, posting_angles(design), strict=True):
+        angle = rounded(angle_deg, _SHOWN)
+        if abs(angle) > usual:
+            sentence = Message(posted, angle=abs(angle), edge=_edge(angle), usual=usual)
+            yield DesignWarning(sentence, cause)
 
 
 def _edge(angle_deg: float) -> str:
