@@ -33,9 +33,9 @@ from insole_core.insole.finishing.zones import Zones, zones_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.heel_rows import HEEL_SHARE
 from insole_core.insole.primitives.height_field import HeightField
 
-_HEEL_SHARE = 0.22
 _HEEL_INSIDE_MM = 6.0  # the floor of the heel lies at least so far from the edge
 
 
@@ -162,7 +162,7 @@ def _heel_floor_mm(
     foot: Foot, place: EdgeDistance, heights_mm: FloatArray, measured: BoolArray
 ) -> float:
     """Return the lowest height of the heel, away from the edge."""
-    heel = place.y_mm <= _HEEL_SHARE * foot.length_mm
+    heel = place.y_mm <= HEEL_SHARE * foot.length_mm
     inside = heel & (place.inside_mm > _HEEL_INSIDE_MM)
     for nodes in (inside & measured, inside):
         if nodes.any():
