@@ -8,7 +8,7 @@ from enum import StrEnum
 from typing import Annotated, Final, Literal, TypeAlias
 
 from insole_core.records.marks import EMPTIED, MAKER, WHEN
-from insole_core.records.record_field import Day, Line, Lines, Made
+from insole_core.records.record_field import Day, Line, Lines, MadeLine
 
 
 class OrderState(StrEnum):
@@ -105,7 +105,7 @@ class Order:
     due_on: Annotated[date | None, Day("date that it is due", WHEN, label="Due")]
     remarks: Annotated[str, Lines("remarks", EMPTIED, label="Remarks")]
     release: int
-    place: Annotated[str, Made("folder of the order", EMPTIED)]
+    place: Annotated[str, MadeLine("folder of the order", EMPTIED, most=1000)]
     version_ids: tuple[str, ...]
     files: tuple[OrderFile, ...]
     events: tuple[OrderEvent, ...]

@@ -56,8 +56,6 @@ from insole_core.records.visit_rows import visit_of
 from insole_core.solids.order_number import new_order_number
 
 _DAYS_UNTIL_DUE: Final = "days_until_due"
-_MOST_PLACE: Final = 1000
-"""Characters of the path of a folder."""
 
 
 class Orders:
@@ -161,9 +159,8 @@ class Orders:
             When it cannot be stored.
         """
         today = date.today()
-        typed = {"shop": shop, "due_on": due_on, "remarks": remarks}
-        values = checked_values(Order, typed, today)
-        values["place"] = check_line(place, "folder of the order", _MOST_PLACE)
+        given = {"shop": shop, "due_on": due_on, "remarks": remarks, "place": place}
+        values = checked_values(Order, given, today)
         number = check_line(number, "number of the order", 60)
         stored = self._stored(files, release)
         order_id, now = new_id(), utc_now()
@@ -225,10 +222,10 @@ class Orders:
         RecordsError, OutputError
             When it cannot be stored.
         """
+        given = {"due_on": due_on, "remarks": remarks, "place": place}
         values = {
-            **checked_values(Order, {"due_on": due_on, "remarks": remarks}, date.today()),
+            **checked_values(Order, given, date.today()),
             "state": str(OrderState.DESIGNED),
-            "place": check_line(place, "folder of the order", _MOST_PLACE),
             "release": release,
         }
         stored_files = self._stored(files, release)

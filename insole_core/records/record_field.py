@@ -109,6 +109,23 @@ class Made(Field):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class MadeLine(Made):
+    """A text of one line that the program fills, such as the path of a folder.
+
+    Parameters
+    ----------
+    most
+        Characters.
+    """
+
+    most: int = MOST_NAME
+
+    def checked(self, value: Any, today: date) -> str:
+        """Return the text without spaces around it."""
+        return check_line(value, self.noun, self.most)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Typed(Field):
     """What somebody fills in.
 
