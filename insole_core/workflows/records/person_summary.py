@@ -166,10 +166,10 @@ def _field_lines(value: Person | Visit, texts: _Texts) -> list[str]:
     lines: list[str] = []
     for name, field in typed_fields(type(value)).items():
         said = getattr(value, name)
-        text = number_message(said) if isinstance(said, float) else field.written(said)
+        is_number = isinstance(said, float)
+        text = texts.translate(number_message(said)) if is_number else field.written(said)
         if field.is_told and text:
-            translated = texts.translate(text) if isinstance(said, float) else text
-            first, *others = translated.splitlines()
+            first, *others = text.splitlines()
             lines += [f"{texts.translate(field.label)}: {first}", *others]
     return lines
 
