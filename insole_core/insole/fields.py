@@ -14,7 +14,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cache
 from typing import (
-    Annotated,
     Any,
     ClassVar,
     Final,
@@ -25,6 +24,7 @@ from typing import (
     get_type_hints,
 )
 
+from insole_core.annotated import said_of_fields
 from insole_core.messages import Message
 
 Place: TypeAlias = tuple[float, float]
@@ -300,8 +300,7 @@ class Part:
 
 def declared(kind: type[Any]) -> Mapping[str, Declared]:
     """Return what the fields of a part are, by name, in the order in which they are shown."""
-    key: Any = kind
-    return _declared(key)
+    return said_of_fields(kind, Declared)
 
 
 def types_of(kind: type[Any]) -> Mapping[str, Any]:
@@ -346,22 +345,9 @@ def range_beside(part: Part, name: str) -> Range:
 
 
 @cache
-def _declared(kind: type[Any]) -> Mapping[str, Declared]:
-    hints = get_type_hints(kind, include_extras=True)
-    found = {f.name: _metadata(hints[f.name]) for f in fields(kind)}
-    return types.MappingProxyType({name: one for name, one in found.items() if one is not None})
-
-
-@cache
 def _types_of(kind: type[Any]) -> Mapping[str, Any]:
     hints = get_type_hints(kind)
     return types.MappingProxyType({f.name: _without_none(hints[f.name]) for f in fields(kind)})
-
-
-def _metadata(hint: Any) -> Declared | None:
-    if get_origin(hint) is not Annotated:
-        return None
-    return next((found for found in hint.__metadata__ if isinstance(found, Declared)), None)
 
 
 def _without_none(hint: Any) -> Any:

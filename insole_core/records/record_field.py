@@ -13,9 +13,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
 from datetime import date
 from enum import Enum, auto
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar, get_type_hints
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from insole_core.annotated import said_of_fields
 from insole_core.cases.days import EARLIEST, LATEST_AHEAD, read_day
 from insole_core.errors import InputError
 from insole_core.records.field_checks import (
@@ -289,19 +289,7 @@ class Number(Typed):
 
 def fields_of(kind: type[object]) -> Mapping[str, Field]:
     """Return the declared fields of a kind of value by their names, in the order of its forms."""
-    if kind not in _KNOWN:
-        found = {
-            name: field
-            for name, hint in get_type_hints(kind, include_extras=True).items()
-            for field in getattr(hint, "__metadata__", ())
-            if isinstance(field, Field)
-        }
-        _KNOWN[kind] = MappingProxyType(found)
-    return _KNOWN[kind]
-
-
-_KNOWN: Final[dict[type[object], Mapping[str, Field]]] = {}
-"""Fields that were asked for: to read them from annotations takes long for each of many rows."""
+    return said_of_fields(kind, Field)  # type: ignore[type-abstract]
 
 
 def typed_fields(kind: type[object]) -> dict[str, Typed]:
