@@ -49,6 +49,4 @@ def worded(found: Declared, value: Any, least_decimals: int = DECIMALS) -> Messa
     if isinstance(value, tuple):
         both = joined((number_message(one, decimals) for one in value), " × ")
         return Message("{number} mm", number=both)
-    if isinstance(value, bool):
-        return Message("yes" if value else "no")
     return Message(value)
