@@ -171,6 +171,7 @@ JOB_SHEET: Final = FileFormat(
 CHECKS: Final = FileFormat(name="JSON", endings=("-checks.json",), role="checks", names_nobody=True)
 
 _FORMATS: Final[tuple[FileFormat, ...]] = (*MESH_FORMATS, PROGRAM, JOB_SHEET, CHECKS)
+_BY_SUFFIX: Final = {end: form for form in MESH_FORMATS for end in form.endings}
 SCAN_SUFFIXES: Final = tuple(end for form in MESH_FORMATS if form.reader for end in form.endings)
 """Of all scans that are read."""
 SOLID_FORMATS: Final = tuple(form for form in MESH_FORMATS if form.writer)
@@ -192,10 +193,7 @@ def mesh_format(suffix: str) -> MeshFormat:
     LookupError
         When there is none.
     """
-    for form in MESH_FORMATS:
-        if suffix in form.endings:
-            return form
-    raise LookupError(suffix)
+    return _BY_SUFFIX[suffix]
 
 
 def role_of(name: str) -> FileRole:
@@ -212,7 +210,7 @@ def names_nobody(name: str) -> bool:
 
 def can_carry(suffix: str, what: Carried) -> bool:
     """Return whether a file with a suffix can hold something beside its surface."""
-    return suffix.lower() in SOLID_SUFFIXES and what in mesh_format(suffix.lower()).carries
+    return any(form.ending == suffix.lower() for form in carriers(what))
 
 
 def carriers(what: Carried) -> tuple[MeshFormat, ...]:
