@@ -15,9 +15,10 @@ import scipy
 
 from insole_core.files.atomic import replacing_file
 from insole_core.formats.bounded_xml import walk_xml
+from insole_core.formats.number_text import written_rows
 from insole_core.formats.raw_surface import Assembly, RawSurface, join_objects
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent
-from insole_core.formats.solid_content import SolidContent, SolidPart, merged
+from insole_core.formats.solid_content import SolidContent, SolidPart, assemblies, merged
 from insole_core.formats.units import Unit
 from insole_core.geometry.arrays import FloatArray
 from insole_core.messages import Message
@@ -166,17 +167,15 @@ def _objects(parts: Sequence[SolidPart]) -> Iterator[tuple[str, list[int]]]:
     for number, part in enumerate(parts):
         if not part.assembly:
             yield part.name, [number]
-    for name in dict.fromkeys(part.assembly for part in parts if part.assembly):
-        yield name, [number for number, part in enumerate(parts) if part.assembly == name]
+    yield from assemblies(parts).items()
 
 
 def _mesh(parts: Sequence[SolidPart], numbers: Sequence[int]) -> Iterator[str]:
     whole = merged([part.mesh for part in parts])
     yield "<vertices>\n"
-    yield (
-        "<vertex><coordinates><x>%.5f</x><y>%.5f</y><z>%.5f</z></coordinates></vertex>\n"
-        * len(whole.vertices)
-        % tuple(whole.vertices.ravel().tolist())
+    yield written_rows(
+        "<vertex><coordinates><x>%.5f</x><y>%.5f</y><z>%.5f</z></coordinates></vertex>\n",
+        whole.vertices,
     )
     yield "</vertices>\n"
     first = 0
@@ -184,11 +183,7 @@ def _mesh(parts: Sequence[SolidPart], numbers: Sequence[int]) -> Iterator[str]:
         corners = whole.triangles[first : first + len(part.mesh.triangles)]
         first += len(corners)
         yield f'<volume materialid="{number + 1}">\n{_name(part.name)}'
-        yield (
-            "<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>\n"
-            * len(corners)
-            % tuple(corners.ravel().tolist())
-        )
+        yield written_rows("<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>\n", corners)
         yield "</volume>\n"
 
 

@@ -1,4 +1,4 @@
-"""Large texts of numbers: every number is read, or none."""
+"""Large texts of numbers: written at once; of those that are read, every number is, or none."""
 
 from __future__ import annotations
 
@@ -7,7 +7,14 @@ import warnings
 
 import numpy as np
 
-from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from insole_core.geometry.arrays import (
+    BoolArray,
+    ByteArray,
+    Float32Array,
+    FloatArray,
+    IndexArray,
+    IntArray,
+)
 from insole_core.messages import Message
 
 LINE_FEED = ord("\n")
@@ -74,6 +81,11 @@ def _numbers(text: bytes, kind: type) -> FloatArray | IntArray:
             if _DECIMAL_COMMA.search(text):
                 raise DecimalCommaError from error
             raise ValueError(Message("it holds a word where a number must stand")) from error
+
+
+def written_rows(form: str, rows: FloatArray | Float32Array | IndexArray) -> str:
+    """Return every row (n, columns) in a form such as ``v %.5f %.5f %.5f``, one after the other."""
+    return form * len(rows) % tuple(rows.ravel().tolist())
 
 
 class Lines:

@@ -21,6 +21,7 @@ from insole_core.formats.number_text import (
     plain_text,
     word_starts,
     words_per_line,
+    written_rows,
 )
 from insole_core.formats.obj_materials import read_materials
 from insole_core.formats.polygons import as_indices, fans
@@ -225,9 +226,8 @@ def write_obj(mesh: TriangleMesh, path: Path, note: str = "") -> None:
     if mesh.colors is not None:
         numbers = np.concatenate([numbers, mesh.colors / 255], axis=1)
         form = "v %.5f %.5f %.5f %.4f %.4f %.4f\n"
-    vertices = form * len(numbers) % tuple(numbers.ravel().tolist())
-    corners = (mesh.triangles + 1).ravel().tolist()
-    triangles = "f %d %d %d\n" * len(mesh.triangles) % tuple(corners)
+    vertices = written_rows(form, numbers)
+    triangles = written_rows("f %d %d %d\n", mesh.triangles + 1)
     comment = f"# {note}\n" if note else ""
     with replacing_file(path) as beside, beside.open("w", encoding="utf-8", newline="\n") as file:
         file.write(f"# Insole Studio, unit mm\n{comment}{vertices}{triangles}")

@@ -8,7 +8,13 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.files.atomic import replacing_file
-from insole_core.formats.number_text import Lines, floats, plain_text, words_per_line
+from insole_core.formats.number_text import (
+    Lines,
+    floats,
+    plain_text,
+    words_per_line,
+    written_rows,
+)
 from insole_core.formats.polygons import as_indices, fans
 from insole_core.formats.raw_surface import RawSurface
 from insole_core.formats.scan_content import ScanContent
@@ -109,8 +115,8 @@ def write_off(mesh: TriangleMesh, path: Path, note: str = "") -> None:
         When the place cannot be written; a file that was there before is untouched.
     """
     points, faces = len(mesh.vertices), len(mesh.triangles)
-    rows = "%.5f %.5f %.5f\n" * points % tuple(mesh.vertices.ravel().tolist())
-    corners = "3 %d %d %d\n" * faces % tuple(mesh.triangles.ravel().tolist())
+    rows = written_rows("%.5f %.5f %.5f\n", mesh.vertices)
+    corners = written_rows("3 %d %d %d\n", mesh.triangles)
     comment = f"# {note}\n" if note else ""
     with replacing_file(path) as beside, beside.open("w", encoding="utf-8", newline="\n") as file:
         file.write(f"OFF\n# Insole Studio, unit mm\n{comment}{points} {faces} 0\n{rows}{corners}")

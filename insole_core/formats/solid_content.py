@@ -70,6 +70,15 @@ class SolidContent:
         return merged([_painted(part) for part in self.parts])
 
 
+def assemblies(parts: Sequence[SolidPart]) -> dict[str, list[int]]:
+    """Return the numbers of the parts, from 0, of every assembly by its name."""
+    found: dict[str, list[int]] = {}
+    for number, part in enumerate(parts):
+        if part.assembly:
+            found.setdefault(part.assembly, []).append(number)
+    return found
+
+
 def _painted(part: SolidPart) -> TriangleMesh:
     if part.mesh.colors is not None:
         return part.mesh

@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.files.atomic import replacing_file
-from insole_core.formats.number_text import Lines, floats, plain_text
+from insole_core.formats.number_text import Lines, floats, plain_text, written_rows
 from insole_core.formats.raw_surface import RawSurface
 from insole_core.formats.scan_content import ScanContent, padding_note
 from insole_core.formats.solid_content import SolidContent
@@ -155,7 +155,7 @@ def write_ascii_stl(mesh: TriangleMesh, path: Path, note: str = "") -> None:
     """
     facets = _facets(mesh)
     numbers = np.concatenate([facets["normal"], facets["corners"].reshape(-1, 9)], axis=1)
-    text = _ASCII_FACET * len(facets) % tuple(numbers.ravel().tolist())
+    text = written_rows(_ASCII_FACET, numbers)
     name = " ".join(filter(None, ("insole_mm", note)))
     with replacing_file(path) as beside, beside.open("w", encoding="ascii", newline="\n") as file:
         file.write(f"solid {name}\n{text}endsolid {name}\n")

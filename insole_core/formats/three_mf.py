@@ -17,9 +17,10 @@ import numpy as np
 
 from insole_core.files.atomic import replacing_file
 from insole_core.formats.bounded_xml import SEPARATOR, walk_xml
+from insole_core.formats.number_text import written_rows
 from insole_core.formats.raw_surface import Assembly, RawSurface, join_objects
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent
-from insole_core.formats.solid_content import SolidContent, SolidPart
+from insole_core.formats.solid_content import SolidContent, SolidPart, assemblies
 from insole_core.formats.units import Unit
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -208,10 +209,9 @@ def _model(parts: Sequence[SolidPart], title: str) -> Iterable[str]:
     for number, part in enumerate(parts):
         yield from _object(part, number)
     items = [number + 2 for number, part in enumerate(parts) if not part.assembly]
-    for name in dict.fromkeys(part.assembly for part in parts if part.assembly):
+    for name, members in assemblies(parts).items():
         items.append(len(parts) + 2 + len(items))
-        members = [n + 2 for n, part in enumerate(parts) if part.assembly == name]
-        yield from assembly_xml(name, items[-1], members)
+        yield from assembly_xml(name, items[-1], [number + 2 for number in members])
     yield "</resources>\n"
     yield from build_xml(items)
 
@@ -249,9 +249,7 @@ def object_xml(
     """
     yield f'<object id="{number}" name={quoteattr(name)} type="model"{attributes}>\n{metadata}'
     yield "<mesh>\n<vertices>\n"
-    coordinates = mesh.vertices.ravel().tolist()
-    yield '<vertex x="%.5f" y="%.5f" z="%.5f"/>\n' * len(mesh.vertices) % tuple(coordinates)
+    yield written_rows('<vertex x="%.5f" y="%.5f" z="%.5f"/>\n', mesh.vertices)
     yield "</vertices>\n<triangles>\n"
-    corners = mesh.triangles.ravel().tolist()
-    yield '<triangle v1="%d" v2="%d" v3="%d"/>\n' * len(mesh.triangles) % tuple(corners)
+    yield written_rows('<triangle v1="%d" v2="%d" v3="%d"/>\n', mesh.triangles)
     yield "</triangles>\n</mesh>\n</object>\n"
