@@ -25,6 +25,7 @@ from insole_core.formats.scan_content import ScanContent
 from insole_core.formats.texture import (
     MOST_TEXTURE_BYTES,
     NO_COLOR,
+    colors_of_shares,
     decode_texture,
     missing_texture,
     sampled,
@@ -187,8 +188,7 @@ def _joined(
 def _colors(part: dict[str, Any]) -> ByteArray | None:
     """Return the colours (n, 3) of the corners, by themselves or from a texture; None without."""
     if part["vertex_colors"] is not None:
-        shades = np.asarray(part["vertex_colors"], float)[:, :3]
-        return np.asarray(np.rint(255 * np.clip(np.nan_to_num(shades), 0, 1)), np.uint8)
+        return colors_of_shares(np.asarray(part["vertex_colors"], float)[:, :3])
     visual = part["visual"]
     if visual is None or visual.uv is None or visual.material.baseColorTexture is None:
         return None

@@ -22,6 +22,7 @@ from insole_core.formats.raw_surface import RawSurface, join_placed
 from insole_core.formats.scan_content import MOST_BYTES, ScanContent
 from insole_core.formats.texture import (
     MOST_TEXTURE_BYTES,
+    colors_of_shares,
     decode_texture,
     missing_texture,
     sampled,
@@ -190,7 +191,7 @@ class _Document:
         if "COLOR_0" in attributes:
             accessor = self.root["accessors"][attributes["COLOR_0"]]
             shades = self._numbers(attributes["COLOR_0"], _WIDTHS[accessor["type"]])[:, :3]
-            return np.rint(255 * np.clip(np.nan_to_num(shades), 0, 1)).astype(np.uint8)
+            return colors_of_shares(shades)
         if "material" not in primitive:
             return None
         materials = self.root.get("materials", [])

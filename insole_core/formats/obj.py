@@ -28,7 +28,7 @@ from insole_core.formats.polygons import as_indices, fans
 from insole_core.formats.raw_surface import RawSurface
 from insole_core.formats.scan_content import ScanContent
 from insole_core.formats.solid_content import SolidContent
-from insole_core.formats.texture import NO_COLOR, sampled
+from insole_core.formats.texture import NO_COLOR, colors_of_numbers, sampled
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
@@ -154,14 +154,10 @@ def _from_zero(
 
 
 def _own_colors(rows: FloatArray) -> ByteArray | None:
-    """Return the colours behind the coordinates: three numbers from 0 to 1, or to 255."""
+    """Return the colours behind the coordinates; a weight may stand before them."""
     if rows.shape[1] not in (6, 7):
         return None
-    values = rows[:, -3:]
-    if not np.isfinite(values).all() or values.min() < 0 or values.max() > 255:
-        return None
-    scale = 255.0 if values.max() <= 1.0 else 1.0
-    return np.rint(values * scale).astype(np.uint8)
+    return colors_of_numbers(rows[:, -3:])
 
 
 def _material_colors(

@@ -8,7 +8,12 @@ import numpy as np
 
 from insole_core.formats.number_text import floats, plain_text
 from insole_core.formats.scan_content import ScanContent
-from insole_core.formats.texture import MOST_TEXTURE_BYTES, decode_texture, missing_texture
+from insole_core.formats.texture import (
+    MOST_TEXTURE_BYTES,
+    colors_of_shares,
+    decode_texture,
+    missing_texture,
+)
 from insole_core.geometry.arrays import ByteArray
 from insole_core.messages import Message
 
@@ -86,7 +91,7 @@ def _color(entry: _Entry) -> ByteArray | None:
     """Return the colour of a material; None where a picture shows it."""
     if len(entry.color) != 3 or entry.picture or not np.isfinite(entry.color).all():
         return None
-    return np.asarray(np.rint(255 * np.clip(entry.color, 0, 1)), dtype=np.uint8)
+    return colors_of_shares(np.array(entry.color))
 
 
 def _entries(text: bytes) -> dict[bytes, _Entry]:

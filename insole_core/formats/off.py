@@ -19,6 +19,7 @@ from insole_core.formats.polygons import as_indices, fans
 from insole_core.formats.raw_surface import RawSurface
 from insole_core.formats.scan_content import ScanContent
 from insole_core.formats.solid_content import SolidContent
+from insole_core.formats.texture import colors_of_numbers
 from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
@@ -88,11 +89,7 @@ def _faces(text: bytes) -> tuple[IntArray, IntArray]:
 
 def _colors(rows: FloatArray, skipped: int) -> ByteArray | None:
     values = rows[:, skipped : skipped + 3]
-    if values.shape[1] < 3 or not np.isfinite(values).all():
-        return None
-    if values.min() < 0 or values.max() > 255:
-        return None
-    return np.rint(values * (255.0 if values.max() <= 1.0 else 1.0)).astype(np.uint8)
+    return colors_of_numbers(values) if values.shape[1] == 3 else None
 
 
 def write_parts(solid: SolidContent, path: Path) -> None:

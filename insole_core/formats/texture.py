@@ -1,4 +1,4 @@
-"""Colours of vertices from the picture of a texture."""
+"""Colours of vertices, from the numbers of a file or from the picture of a texture."""
 
 from __future__ import annotations
 
@@ -14,6 +14,18 @@ _MOST_PIXELS = 16384 * 8192
 NO_COLOR = 128
 """Grey of a vertex whose colour is not known."""
 _SEEN_PIXELS = 4096 * 4096  # 0.15 mm of a leg and foot; more than is ever sampled
+
+
+def colors_of_shares(shares: FloatArray) -> ByteArray:
+    """Return colours of shares from 0 to 1, of any shape; what is no number counts as 0."""
+    return np.asarray(np.rint(255 * np.clip(np.nan_to_num(shares), 0, 1)), np.uint8)
+
+
+def colors_of_numbers(numbers: FloatArray) -> ByteArray | None:
+    """Return colours of numbers (n, 3) from 0 to 1 or to 255; None where they are others."""
+    if not np.isfinite(numbers).all() or numbers.min() < 0 or numbers.max() > 255:
+        return None
+    return np.rint(numbers * (255.0 if numbers.max() <= 1.0 else 1.0)).astype(np.uint8)
 
 
 def is_texture(content: bytes) -> bool:
