@@ -548,14 +548,12 @@ def _ignored(what: str) -> bool:
 
 
 def _right_landmarks(find: Callable[[Any], Any]) -> Any:
-    from dataclasses import replace
 
     from insole_core.foot.foot_placement import place_foot
     from insole_core.geometry.side import Side
 
     mesh = samples.foot_mesh()
-    mirrored = replace(mesh, vertices=mesh.vertices * [-1, 1, 1]).flipped()
-    return find(place_foot(mirrored, Side.RIGHT, frame="reference"))
+    return find(place_foot(mesh.mirrored(), Side.RIGHT, frame="reference"))
 
 
 # Recordings of libfreenect, calibration folders

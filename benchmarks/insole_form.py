@@ -97,9 +97,8 @@ def print_forms(forms: list[tuple[str, Form]]) -> None:
 
 def mirror_image(foot: Foot) -> Foot:
     mirror = np.diag([-1.0, 1, 1, 1])
-    mesh = replace(foot.mesh, vertices=foot.mesh.vertices * [-1, 1, 1]).flipped()
     pose = mirror @ foot.source2insole @ mirror
-    return replace(foot, side=foot.side.other, mesh=mesh, source2insole=pose)
+    return replace(foot, side=foot.side.other, mesh=foot.mesh.mirrored(), source2insole=pose)
 
 
 def mirror_error_mm(foot: Foot, design: InsoleDesign) -> float:

@@ -187,8 +187,7 @@ def _interpreted(text: str) -> str:
 def _pair() -> tuple[MillingPlan, float, float]:
     """Return the plan of a pair, with its processor and wall time, the least of three."""
     solid = next(solid for solid in map(_solid, range(1, 100)) if solid is not None)
-    mirrored = TriangleMesh(solid.vertices * [-1, 1, 1], solid.triangles[:, ::-1])
-    nest = closest_nest(solid, mirrored)
+    nest = closest_nest(solid, solid.mirrored())
     width, length, _ = nest.size_mm
     machine = read_machine(resource_path("milling/linuxcnc.json"))
     times = []

@@ -25,7 +25,6 @@ from benchmarks._printed_commands import Printed, printed_commands
 from insole_core.formats.obj import write_obj
 from insole_core.formats.ply import write_ply
 from insole_core.formats.stl import write_stl
-from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
@@ -78,10 +77,10 @@ def _outcome(one: Printed, folder: Path) -> str:
 def prepare(folder: Path) -> None:
     """Write what the command lines name and do not make themselves."""
     mesh = foot_mesh()
-    write_obj(mirrored(mesh), folder / "scan.obj")
+    write_obj(mesh.mirrored(), folder / "scan.obj")
     for name in ("scan", "foot", "left"):
         write_ply(mesh, folder / f"{name}.ply")
-    write_ply(mirrored(mesh), folder / "right.ply")
+    write_ply(mesh.mirrored(), folder / "right.ply")
     shutil.copy(DATA / "sessions" / "left_small.zip", folder / "demo.zip")
     shutil.copy(DATA / "sessions" / "both_small.zip", folder / "both.zip")
     (folder / "design.json").write_text(json.dumps(design_values()))
@@ -109,7 +108,3 @@ def captured(
         if body is None:
             for scan in ("cast.stl", "gips.stl"):
                 write_stl(simulated.truth, folder / scan)
-
-
-def mirrored(mesh: TriangleMesh) -> TriangleMesh:
-    return TriangleMesh(mesh.vertices * [-1.0, 1.0, 1.0], mesh.triangles[:, ::-1])
