@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import date, timedelta
 from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 from PySide6.QtCore import QElapsedTimer
 from PySide6.QtTest import QTest
@@ -48,6 +49,7 @@ STAGE = (1366, 730)
 REASONS = {"en": ("Heel pain, right", "Control"), "sv": ("Hälsmärta, höger", "Kontroll")}
 """Of the visits of a patient."""
 
+Window = TypeVar("Window", bound=QWidget)
 Take = Callable[[QWidget], None]
 
 
@@ -167,8 +169,8 @@ def show(studio: ScriptedWindow, picture: DialogPicture, take: Take) -> None:
 
 def take_and_close(picture: DialogPicture, take: Take) -> None:
     """Wait for what a picture shows, take the picture, and close it."""
-    until(lambda: _visible(picture.window) is not None, picture.window.__name__)
-    shown = _visible(picture.window)
+    until(lambda: next(shown_windows(picture.window), None) is not None, picture.window.__name__)
+    shown = next(shown_windows(picture.window), None)
     assert shown is not None
     take(shown)
     _close(shown)
@@ -192,9 +194,11 @@ def _can_press(shown: QWidget, text: str) -> bool:
     return any(b.text() == text and b.isEnabled() for b in shown.findChildren(QPushButton))
 
 
-def _visible(window: type[QWidget]) -> QWidget | None:
-    found = (w for w in QApplication.topLevelWidgets() if isinstance(w, window) and w.isVisible())
-    return next(found, None)
+def shown_windows(kind: type[Window]) -> Iterator[Window]:
+    """Yield the windows of a kind that are shown."""
+    for window in QApplication.topLevelWidgets():
+        if isinstance(window, kind) and window.isVisible():
+            yield window
 
 
 def _close(shown: QWidget) -> None:

@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Final, TypeVar
+from typing import Final
 
 import numpy as np
-from dialog_pictures import fill_record, open_record
+from dialog_pictures import fill_record, open_record, shown_windows
 from hand import HANDS, Keys, pixel
 from PySide6.QtCore import QElapsedTimer, QEventLoop, QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication
@@ -48,7 +48,6 @@ from insole_studio.widgets.number_field import NumberField
 EXAMPLE = resource_path("example/example.insole")
 LOOK_MS, DRAWN_MS, LIVE_MS = 100, 250, 4000
 PATIENCE_MS = 90_000
-Window = TypeVar("Window", bound=QWidget)
 SCALED = (3840, 2160)
 """The screen that is used at scale 2 unless another scale is asked for."""
 
@@ -261,9 +260,8 @@ def walk_standard_case(walk: Walk, _session: Path) -> None:
     QTest.keyClick(QApplication.activeWindow() or app.window, Qt.Key.Key_Escape)
     hand.choose("keys")
     walk.see("keys")
-    for shown in QApplication.topLevelWidgets():
-        if isinstance(shown, QDialog) and shown.isVisible():
-            refuse(shown)
+    for dialog in shown_windows(QDialog):
+        refuse(dialog)
 
 
 def drag_outline(walk: Walk) -> None:
@@ -470,7 +468,7 @@ def walk_day(walk: Walk, _session: Path) -> None:
     start = app.features.records.start
     assert start is not None
     hand.click(start.new_patient)
-    dialog = shown(NewPatientDialog)
+    dialog = next(shown_windows(NewPatientDialog))
     QTest.keyClicks(dialog.name, "Eva Öberg")
     walk.see("new-patient")
     QTest.keyClick(dialog, Qt.Key.Key_Return)
@@ -510,7 +508,7 @@ def import_scan(walk: Walk) -> None:
     write_ply(foot.mesh, scan)
     app.features.case_files.opener.open_path(scan)
     walk.studio.settle()
-    asked = shown(ImportDialog)
+    asked = next(shown_windows(ImportDialog))
     walk.see("scan")
     hand.click(asked.sides[foot.side])
     hand.click(asked.open_button)
@@ -535,11 +533,6 @@ def see_order(walk: Walk) -> None:
     hand.choose("orders")
     wait_for(app.services.clinic.jobs)
     walk.see("orders")
-
-
-def shown(kind: type[Window]) -> Window:
-    """Return the window of a kind that is shown."""
-    return next(w for w in QApplication.topLevelWidgets() if isinstance(w, kind) and w.isVisible())
 
 
 JOURNEYS: Final[dict[str, Callable[[Walk, Path], None]]] = {
