@@ -7,6 +7,8 @@ from collections.abc import Iterable
 from PySide6.QtCore import QMargins, QPoint, QRect, QSize
 from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
 
+from insole_studio.widgets.emptied import remove_widgets
+
 
 class FlowLayout(QLayout):
     """Lays items out like text: left to right, then down; too wide an item gets its own line.
@@ -110,9 +112,6 @@ class FlowRow(QWidget):
 
     def show_parts(self, parts: Iterable[QWidget]) -> None:
         """Show widgets in place of those before, which go."""
-        while (item := self._layout.takeAt(0)) is not None:
-            if (widget := item.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
+        remove_widgets(self._layout)
         for part in parts:
             self._layout.addWidget(part)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.emptied import remove_widgets
 from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.icons import icon
 
@@ -75,10 +76,7 @@ class NoticeBar(QScrollArea):
 
     def show_notices(self, notices: Sequence[Notice]) -> None:
         """Replace the shown notices."""
-        while (item := self._lines.takeAt(0)) is not None:
-            if (line := item.widget()) is not None:
-                line.hide()
-                line.deleteLater()
+        remove_widgets(self._lines)
         for notice in notices:
             line = _Line(notice)
             line.taken.connect(self.taken)

@@ -25,6 +25,7 @@ from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.emptied import remove_widgets
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
@@ -155,12 +156,7 @@ class CompareView(QWidget):
 
     def show_figures(self, rows: Sequence[FigureRow]) -> None:
         """Show the statistics; rows without numbers are headings."""
-        while self.figures.count():
-            item = self.figures.takeAt(0)
-            widget = None if item is None else item.widget()
-            if widget is not None:
-                widget.hide()  # deleted only when the event loop runs again
-                widget.deleteLater()
+        remove_widgets(self.figures)
         for number, row in enumerate(rows):
             heading = not row.first or row.first == "A"
             for column, text in enumerate((row.text, row.first, row.second)):

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from insole_core.geometry.side import Side
 from insole_studio.features.design.rows import Measure
 from insole_studio.texts import tr
+from insole_studio.widgets.emptied import remove_widgets
 from insole_studio.widgets.link_label import LinkLabel
 from insole_studio.widgets.side_badge import side_letter
 
@@ -36,10 +37,7 @@ class MeasureGrid(QWidget):
         if list(measures) == self._shown:
             return
         self._shown = list(measures)
-        while (item := self._grid.takeAt(0)) is not None:
-            if (widget := item.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
+        remove_widgets(self._grid)
         first = 0
         if measures and len(measures[0].values) == _BOTH:
             self._add_heads()

@@ -23,6 +23,7 @@ from insole_studio.features.design.patient.variant_row import VariantRow
 from insole_studio.features.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.texts import tr
 from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.emptied import remove_widgets
 from insole_studio.widgets.form_labels import mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.link_label import LinkLabel
@@ -145,10 +146,7 @@ class PatientView(VerticalScroll):
         if list(rows) == self._rows:
             return
         self._rows = list(rows)
-        while (item := self._corrections.takeAt(0)) is not None:
-            if (widget := item.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
+        remove_widgets(self._corrections)
         for row in rows:
             self._corrections.addWidget(self._correction_line(row))
         if not rows:
@@ -173,10 +171,7 @@ class PatientView(VerticalScroll):
             tr("1 warning") if one else tr("{count} warnings").format(count=len(rows))
         )
         self._count.setVisible(bool(rows))
-        while (item := self._warnings.takeAt(0)) is not None:
-            if (widget := item.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
+        remove_widgets(self._warnings)
         for number, row in enumerate(rows):
             label = LinkLabel(row.text, str(number)) if row.leads else QLabel(row.text)
             label.setObjectName("warning")
