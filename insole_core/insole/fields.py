@@ -44,6 +44,10 @@ class Range:
     def __contains__(self, value: float) -> bool:
         return math.isfinite(value) and self.least <= value <= self.greatest
 
+    def nearest(self, value: float) -> float:
+        """Return a value itself if it is allowed, else the least or the greatest."""
+        return min(max(value, self.least), self.greatest)
+
     def __str__(self) -> str:
         least, most = self.least, self.greatest
         if not self.unit:

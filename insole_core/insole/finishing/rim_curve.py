@@ -132,9 +132,7 @@ class Rim:
         """
         arc_mm %= self.edge.length_mm
         allowed = ranges_of(RimStation)["height_mm"]
-        height = float(
-            np.clip(height_mm - self.zero_mm(arc_mm, over), allowed.least, allowed.greatest)
-        )
+        height = float(allowed.nearest(height_mm - self.zero_mm(arc_mm, over)))
         along = float(self.edge.along_of(np.asarray(arc_mm)))
         return RimStation(
             border=self.edge.border_of(arc_mm), along=along, height_mm=height, over=over

@@ -112,5 +112,4 @@ def _at_height(rim: Rim, station: RimStation, arc_mm: float, height_mm: float) -
 
 
 def _within_range(height_mm: float, step_mm: float) -> float:
-    allowed = ranges_of(RimStation)["height_mm"]
-    return float(np.clip(rounded(height_mm, step_mm), allowed.least, allowed.greatest))
+    return float(ranges_of(RimStation)["height_mm"].nearest(rounded(height_mm, step_mm)))

@@ -71,8 +71,7 @@ class PrescriptionActions:
             return
         x, y, z = (float(part) for part in find_landmarks(foot)["arch_apex"].point)
         height = rounded(z + design.least_thickness_mm + _ABOVE_ARCH_MM, 0.5)
-        allowed = ranges_of(ArchRaise)["target_mm"]
-        target = min(max(height, allowed.least), allowed.greatest)
+        target = ranges_of(ArchRaise)["target_mm"].nearest(height)
         self.prescribe(ArchRaise(target_mm=target, apex_mm=(round(x, 1), round(y, 1))))
 
     def take_pad(self, number: int) -> None:

@@ -140,8 +140,7 @@ def _within(part: _Part) -> _Part:
     for name in ranges_of(type(part)):
         number = getattr(part, name)
         if isinstance(number, int | float):
-            allowed = range_beside(part, name)
-            fitting: dict[str, Any] = {name: min(max(number, allowed.least), allowed.greatest)}
+            fitting: dict[str, Any] = {name: range_beside(part, name).nearest(number)}
             part = replace(part, **fitting)  # type: ignore[type-var]
     return part
 

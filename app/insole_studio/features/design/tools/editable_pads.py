@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TypeVar
 
-import numpy as np
-
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.elements import ArchRaise, Correction, Pelott
@@ -87,5 +85,4 @@ def _ellipse(case: Case, arch: ArchRaise) -> Pelott | None:
 
 
 def _within(name: str, value: float) -> float:
-    allowed = ranges_of(ArchRaise)[name]
-    return float(np.clip(value, allowed.least, allowed.greatest))
+    return float(ranges_of(ArchRaise)[name].nearest(value))

@@ -432,8 +432,7 @@ def _beside_corners_mm(pad: Pelott) -> float:
 
 
 def _within(name: str, value: float) -> float:
-    allowed = ranges_of(Pelott)[name]
-    return float(np.clip(value, allowed.least, allowed.greatest))
+    return float(ranges_of(Pelott)[name].nearest(value))
 
 
 def _hint(name: str) -> str:

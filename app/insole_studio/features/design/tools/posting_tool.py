@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import numpy as np
-
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.elements import Posting
 from insole_core.insole.fields import ranges_of
@@ -105,9 +103,8 @@ def tilted(
     """
     posting = posting_of(design) or new or Posting()
     name = f"{part}_deg"
-    allowed = ranges_of(Posting)[name]
     angle = rounded(getattr(posting, name) + by_deg, ANGLE_STEP_DEG)
-    angle = float(np.clip(angle, allowed.least, allowed.greatest))
+    angle = float(ranges_of(Posting)[name].nearest(angle))
     return with_posting(design, with_number(posting, name, angle))
 
 

@@ -254,8 +254,7 @@ def _carry_toe_line(
         if start is None or now is None:
             continue
         moved_mm = float(heads.ahead_mm(*now[:2]) - heads.ahead_mm(*start[:2]))
-        ahead_mm = rounded(finish.toe_line_mm + moved_mm, TOE_LINE_STEP_MM)
-        ahead_mm = min(max(ahead_mm, allowed.least), allowed.greatest)
+        ahead_mm = allowed.nearest(rounded(finish.toe_line_mm + moved_mm, TOE_LINE_STEP_MM))
         changed = replace(design, finish=replace(finish, toe_line_mm=ahead_mm))
         case.preview(changed)
     case.apply(changed, tr("Move the toe line"))

@@ -75,6 +75,5 @@ def _carry(case: Case, design: InsoleDesign, rocker: Rocker, press: PointerEvent
 
 def _moved(design: InsoleDesign, rocker: Rocker, ahead_mm: float, step_mm: float) -> InsoleDesign:
     """Return the design with the rocker's line farther ahead, within its range."""
-    behind_mm = rounded(rocker.behind_heads_mm - ahead_mm, step_mm)
-    behind_mm = min(max(behind_mm, _ALLOWED.least), _ALLOWED.greatest)
+    behind_mm = _ALLOWED.nearest(rounded(rocker.behind_heads_mm - ahead_mm, step_mm))
     return design.with_changed(replace(rocker, behind_heads_mm=behind_mm))
