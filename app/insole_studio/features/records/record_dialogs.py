@@ -1,4 +1,4 @@
-"""Dialogs with all fields of a visit or an order."""
+"""Dialogs with the fields of a visit, an order and a follow-up."""
 
 from __future__ import annotations
 
@@ -43,11 +43,12 @@ if TYPE_CHECKING:
 Value = TypeVar("Value", bound="DataclassInstance")
 
 _WIDTH_PX = 460
+_FOLLOW_UPS_SIZE = (640, 440)
 _MOST_STEPS = 8
 """Of its history, the latest."""
 
 
-class RecordDialog(QDialog, Generic[Value]):
+class FieldsDialog(QDialog, Generic[Value]):
     """A form of all fields of a value; it is accepted once all that is typed can be right.
 
     Attributes
@@ -110,7 +111,7 @@ class RecordDialog(QDialog, Generic[Value]):
             self.accept()
 
 
-class VisitDialog(RecordDialog[Visit]):
+class VisitDialog(FieldsDialog[Visit]):
     """A form of a visit."""
 
     def __init__(self, visit: Visit, parent: QWidget | None = None) -> None:
@@ -131,7 +132,7 @@ class VisitDialog(RecordDialog[Visit]):
         return CaptureState.WANTED if self.capture.isChecked() else CaptureState.NONE
 
 
-class OrderDialog(RecordDialog[Order]):
+class OrderDialog(FieldsDialog[Order]):
     """A form of an order."""
 
     def __init__(self, order: Order, parent: QWidget | None = None) -> None:
@@ -139,9 +140,6 @@ class OrderDialog(RecordDialog[Order]):
         self.history = MessageLabel("quiet")
         self.history.say_all([event_text(event) for event in order.events[-_MOST_STEPS:]])
         self.below.addWidget(self.history)
-
-
-_SIZE = (640, 440)
 
 
 class FollowUpDialog(QDialog):
@@ -152,7 +150,7 @@ class FollowUpDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Follow-up"))
-        self.resize(*_SIZE)
+        self.resize(*_FOLLOW_UPS_SIZE)
         self._person_id = person_id
         day, outcome, notes = (label_of(FollowUp, name) for name in typed_fields(FollowUp))
         self.table = RowTable((day, outcome, notes, tr("By")), stretched=2)
