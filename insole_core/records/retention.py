@@ -31,7 +31,7 @@ from insole_core.errors import RecordsError
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.bare_files import BareFiles
-from insole_core.records.checked_values import highest
+from insole_core.records.checked_values import day_of, highest
 from insole_core.records.clinic import setting_of
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
@@ -428,7 +428,7 @@ def _ids(table: Table, person_id: str) -> Select[Any]:
 
 
 def _day(value: str | date) -> date:
-    return value if isinstance(value, date) else date.fromisoformat(value[:10])
+    return value if isinstance(value, date) else day_of(value)
 
 
 def _years_later(day: date, years: int) -> date:

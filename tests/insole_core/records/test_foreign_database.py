@@ -14,11 +14,13 @@ from sqlalchemy import select
 from insole_core.errors import InsoleError, NotAllowed, RecordsError
 from insole_core.records.audit import head_of
 from insole_core.records.author import Author
+from insole_core.records.context import RecordsContext
 from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
 from insole_core.records.records import Records
-from insole_core.records.schema import visits
+from insole_core.records.retention import ErasureReason, erase_person
+from insole_core.records.schema import persons, visits
 from insole_core.records.visit import Visit
 
 WHO = Author("anna", "desk")
@@ -112,6 +114,14 @@ def head_of_log(records: Records) -> object:
         return head_of(connection)
 
 
+def erase(records: Records) -> object:
+    chief = records.accounts.sign_in("chief", PASSWORD)
+    context = RecordsContext(records.context.database, records.contents, chief)
+    with context.database.reading() as connection:
+        person_id = connection.execute(select(persons.c.id)).scalar_one()
+    return erase_person(context, person_id, ErasureReason.REQUEST, DAY)
+
+
 CELLS: dict[str, tuple[str, Callable[[Records], object]]] = {
     "birth date": (
         "UPDATE persons SET birth_date = '9999-99-99'", search,
@@ -133,6 +143,7 @@ CELLS: dict[str, tuple[str, Callable[[Records], object]]] = {
     "head of the log that is written": (
         "DELETE FROM audit_head", open_visit,
     ),
+    "moment of a person who is erased": ("UPDATE persons SET created_at = 'noon'", erase),
     "setting": ("UPDATE clinic SET value = '{'", lambda records: records.accounts.are_on),
     "role": (
         "UPDATE accounts SET role = 'king'", sign_in,
