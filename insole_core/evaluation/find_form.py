@@ -41,7 +41,6 @@ _FORM_MEDIAN_MM = 1.5
 _FIT_ROUNDS = 4
 _SCAN_MEDIAN_MM, _SCAN_SHARE = 0.9, 0.3
 _SAMPLE_MM2 = 25.0
-_MIRROR = np.diag([-1.0, 1.0, 1.0, 1.0])
 
 
 def find_ball(surface: TriangleMesh, diameter_mm: float) -> Ball:
@@ -94,7 +93,7 @@ def find_scan(surface: TriangleMesh, scan: Scan, name: str) -> ScannedBody:
             size_mm=found.size_mm,
             found_mm=grown.size_mm,
         )
-    mirrored = _laid(surface, Scan(scan.mesh.transformed(_MIRROR).flipped()))
+    mirrored = _laid(surface, Scan(scan.mesh.mirrored()))
     if mirrored is not None and _fits(mirrored, surface):
         raise CalibrationError(
             "{scan} fits what was captured only as its mirror image; name the scan of the same "

@@ -80,7 +80,7 @@ def build_foot(
         return FootModel(shape, mesh, landmarks)
     mirror = np.diag([-1.0, 1.0, 1.0, 1.0])
     mirrored = {name: transform(mirror, point) for name, point in landmarks.items()}
-    return FootModel(shape, mesh.transformed(mirror).flipped(), mirrored)
+    return FootModel(shape, mesh.mirrored(), mirrored)
 
 
 def _surface(field: FootField, rng: np.random.Generator, cell_mm: float) -> TriangleMesh:
