@@ -22,6 +22,7 @@ _MOST_RUNS = 20_000
 """Of neighbouring lines that are copied one by one."""
 BYTE_ORDER_MARKS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
 
+_INDENTED = re.compile(rb"^[ \t]+", re.MULTILINE)
 _DECIMAL_COMMA = re.compile(rb"(?<![^\s+-])\d+,\d")
 
 
@@ -46,6 +47,13 @@ def plain_text(content: bytes) -> bytes:
     if b"\r" in content:
         content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     return content
+
+
+def unindented(text: bytes) -> bytes:
+    """Return a text of which every line begins with its first word."""
+    if text.startswith((b" ", b"\t")) or b"\n " in text or b"\n\t" in text:
+        return _INDENTED.sub(b"", text)
+    return text
 
 
 def floats(text: bytes) -> FloatArray:

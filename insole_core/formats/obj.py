@@ -19,6 +19,7 @@ from insole_core.formats.number_text import (
     floats,
     integers,
     plain_text,
+    unindented,
     word_starts,
     words_per_line,
     written_rows,
@@ -33,7 +34,6 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArr
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message
 
-_INDENTED = re.compile(rb"^[ \t]+", re.MULTILINE)
 _SLASHED = re.compile(rb"/[^ \t\n]*")
 
 
@@ -60,9 +60,7 @@ def read_obj(source: ScanContent) -> RawSurface:
     ValueError
         When it is no OBJ.
     """
-    text = plain_text(source.content).replace(b"\\\n", b" ")
-    if text.startswith((b" ", b"\t")) or b"\n " in text or b"\n\t" in text:
-        text = _INDENTED.sub(b"", text)
+    text = unindented(plain_text(source.content).replace(b"\\\n", b" "))
     lines = Lines(text)
     is_vertex, is_face = lines.begin_with(b"v"), lines.begin_with(b"f")
     rows = _rows(lines.joined(is_vertex), int(is_vertex.sum()), b"v")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import TypeAlias
 
@@ -10,7 +9,14 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.files.atomic import replacing_file
-from insole_core.formats.number_text import Lines, floats, plain_text, written_rows
+from insole_core.formats.number_text import (
+    BYTE_ORDER_MARKS,
+    Lines,
+    floats,
+    plain_text,
+    unindented,
+    written_rows,
+)
 from insole_core.formats.raw_surface import RawSurface
 from insole_core.formats.scan_content import ScanContent, padding_note
 from insole_core.formats.solid_content import SolidContent
@@ -20,7 +26,6 @@ from insole_core.messages import Message
 
 _TITLE, _HEAD, _TAIL = 80, 84, 512
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-_INDENTED = re.compile(rb"^[ \t]+", re.MULTILINE)
 _HEADER = "Insole Studio, unit mm"  # must not begin with "solid", which would mark ASCII
 _ASCII_FACET = (
     " facet normal %.6g %.6g %.6g\n  outer loop\n"
@@ -53,11 +58,11 @@ def read_stl(source: ScanContent) -> RawSurface:
 
 def _is_text(content: bytes) -> bool:
     """Return whether it is a text; the heads of some binary ones begin with "solid", too."""
-    if content.startswith((b"\xff\xfe", b"\xfe\xff", b"\xef\xbb\xbf")):
+    if content.startswith(tuple(BYTE_ORDER_MARKS)):
         return True
     if len(content) < _HEAD:
         return content.lstrip().lower().startswith(b"solid")
-    declared = int.from_bytes(content[80:_HEAD], "little")
+    declared = int.from_bytes(content[_TITLE:_HEAD], "little")
     rest = len(content) - _HEAD
     fits = rest - _FACET.itemsize < declared * _FACET.itemsize <= rest
     if fits or not content[:_HEAD].lstrip().lower().startswith(b"solid"):
@@ -70,7 +75,7 @@ def _binary_corners(source: ScanContent) -> tuple[FloatArray, int]:
     content = source.content
     if len(content) < _HEAD:
         raise ValueError(Message("it is shorter than its header"))
-    declared = int.from_bytes(content[80:_HEAD], "little")
+    declared = int.from_bytes(content[_TITLE:_HEAD], "little")
     held = (len(content) - _HEAD) // _FACET.itemsize
     behind = content[_HEAD + declared * _FACET.itemsize :]
     is_padding = not behind.strip(b"\0")
@@ -96,7 +101,7 @@ def _text_corners(source: ScanContent) -> FloatArray:
         )
     if b"vertex" not in text:
         text = text.lower()
-    lines = Lines(_INDENTED.sub(b"", text))
+    lines = Lines(unindented(text))
     is_corner = lines.begin_with(b"vertex")
     values = floats(lines.joined(is_corner).replace(b"vertex", b""))
     count = int(is_corner.sum())
