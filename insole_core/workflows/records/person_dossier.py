@@ -20,7 +20,7 @@ from insole_core.records.order import Order, OrderFile
 from insole_core.records.person import Person
 from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
-from insole_core.records.record_field import typed_fields
+from insole_core.records.record_field import fields_of
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_core.workflows.nameless import require_nameless
@@ -152,16 +152,15 @@ def _pseudonymous_visit(dossier: VisitDossier) -> VisitDossier:
 def _pseudonymous_order(order: Order, name: str) -> Order:
     return replace(
         _without_texts(order),
-        place="",
         events=tuple(replace(event, remarks="") for event in order.events),
         files=tuple(file for file in order.files if _is_for_the_shop(file, name)),
     )
 
 
 def _without_texts(value: Value) -> Value:
-    """Return a visit or an order without what somebody has typed about the person."""
-    fields = typed_fields(type(value)).items()
-    texts = [n for n, f in fields if f.kind is str and f.mark.erased is Erased.EMPTIED]
+    """Return a visit or an order without the texts that an erasure empties."""
+    fields = fields_of(type(value)).items()
+    texts = [n for n, f in fields if f.empty == "" and f.mark.erased is Erased.EMPTIED]
     emptied: dict[str, Any] = dict.fromkeys(texts, "")
     return replace(value, **emptied)
 
