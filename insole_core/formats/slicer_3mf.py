@@ -8,14 +8,12 @@ src/libslic3r/Format/bbs_3mf.cpp; Cura, libSavitar/src/SceneNode.cpp and plugins
 
 from __future__ import annotations
 
-import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 from xml.sax.saxutils import quoteattr
 
-from insole_core.files.atomic import replacing_file
 from insole_core.formats.solid_content import merged
 from insole_core.formats.three_mf import (
     assembly_xml,
@@ -118,14 +116,7 @@ def write_slicer_3mf(
     OutputError
         When the place cannot be written; a file that was there before is untouched.
     """
-    model, config = _WRITERS[printer](parts, title)
-    with (
-        replacing_file(path) as beside,
-        zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive,
-    ):
-        write_package(archive, model)
-        for name, text in config.items():
-            archive.writestr(name, text)
+    write_package(path, *_WRITERS[printer](parts, title))
 
 
 _Files: TypeAlias = tuple[Iterable[str], Mapping[str, str]]

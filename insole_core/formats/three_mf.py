@@ -164,18 +164,20 @@ def write_3mf(parts: Sequence[SolidPart], path: Path, title: str = "Insole") -> 
     OutputError
         When the place cannot be written; a file that was there before is untouched.
     """
+    write_package(path, _model(parts, title), {})
+
+
+def write_package(path: Path, model: Iterable[str], settings: Mapping[str, str]) -> None:
+    """Write the model, what leads a reader to it, and texts by their place in the archive."""
     with (
         replacing_file(path) as beside,
         zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED, compresslevel=_FAST) as archive,
     ):
-        write_package(archive, _model(parts, title))
-
-
-def write_package(archive: zipfile.ZipFile, model: Iterable[str]) -> None:
-    """Write the model and what leads a reader to it."""
-    archive.writestr("[Content_Types].xml", _CONTENT_TYPES)
-    archive.writestr("_rels/.rels", _RELATIONS)
-    archive.writestr("3D/3dmodel.model", "".join(model))
+        archive.writestr("[Content_Types].xml", _CONTENT_TYPES)
+        archive.writestr("_rels/.rels", _RELATIONS)
+        archive.writestr("3D/3dmodel.model", "".join(model))
+        for name, text in settings.items():
+            archive.writestr(name, text)
 
 
 def model_head(
