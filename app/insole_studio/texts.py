@@ -68,6 +68,11 @@ def moment_text(moment: datetime | str) -> str:
     return moment.astimezone().strftime("%Y-%m-%d %H:%M")
 
 
+def with_capital(text: str) -> str:
+    """Return a text as it begins a line."""
+    return text[:1].upper() + text[1:]
+
+
 def translate_core_message(sentence: str) -> str:
     """Return a message of the core in the language of the window, with its values translated too.
 

@@ -22,7 +22,7 @@ from insole_core.geometry.side import Side
 from insole_studio.services.file_kinds import complete_name
 from insole_studio.services.last_folders import Kept, LastFolders
 from insole_studio.settings import Settings
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import tr, translate_core_message, with_capital
 from insole_studio.widgets.fields_dialog import Field, FieldsDialog
 
 
@@ -369,7 +369,7 @@ class Questions:
         box.setWindowTitle(tr("Insole Studio"))
         box.setIcon(icon)
         said = translate_core_message(sentence)
-        box.setText(said[:1].upper() + said[1:])
+        box.setText(with_capital(said))
         box.setInformativeText(details)
         answers: dict[QAbstractButton, Chosen] = {}
         for choice in choices:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox, QPushButton, QWidget
 
-from insole_studio.texts import tr
+from insole_studio.texts import tr, with_capital
 
 
 class ErrorDialog(QMessageBox):
@@ -16,7 +16,7 @@ class ErrorDialog(QMessageBox):
         self.report = f"{sentence}\n\n{details}".strip()
         self.setWindowTitle(tr("Insole Studio"))
         self.setIcon(QMessageBox.Icon.Warning)
-        self.setText(sentence[:1].upper() + sentence[1:])
+        self.setText(with_capital(sentence))
         if details:
             self.setDetailedText(details)
         self.setModal(True)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QProgressBar
 
-from insole_studio.texts import translate_core_message
+from insole_studio.texts import translate_core_message, with_capital
 
 
 class MessageLabel(QLabel):
@@ -33,7 +33,7 @@ class MessageLabel(QLabel):
     def say_all(self, sentences: Sequence[str]) -> None:
         """Show sentences, translated and capitalised."""
         said = map(translate_core_message, sentences)
-        self.setText("\n".join(sentence[:1].upper() + sentence[1:] for sentence in said))
+        self.setText("\n".join(with_capital(sentence) for sentence in said))
         self.setVisible(bool(sentences))
 
 

@@ -27,7 +27,7 @@ from insole_studio.scene.name_label import NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset, Subject
-from insole_studio.texts import tr, translate_core_message
+from insole_studio.texts import tr, translate_core_message, with_capital
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.scale_bar import ScaleBar
@@ -308,7 +308,7 @@ class ModelView(QWidget):
     def show_warning(self, text: str) -> None:
         """Show a warning above the view; an empty text hides it."""
         said = translate_core_message(text)
-        self._warning.setText(said[:1].upper() + said[1:])
+        self._warning.setText(with_capital(said))
         self._warning.setVisible(bool(text))
 
     def look_at_whole(self, bounds_mm: FloatArray, preset: Preset = Preset.PLANTAR) -> None:

@@ -11,7 +11,7 @@ from insole_core.insole.fields import Part, Spot, declared
 from insole_core.insole.pads.pad_places import SIZED_BY_FOOT
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.pad_library import LibraryPad
-from insole_studio.texts import localised, tr, translate_core_message
+from insole_studio.texts import localised, tr, translate_core_message, with_capital
 
 KIND_NAMES: dict[str, Callable[[], str]] = {
     "relief_head_1": lambda: tr("Relief, 1st head"),
@@ -36,8 +36,7 @@ KIND_NAMES: dict[str, Callable[[], str]] = {
 
 def capitalised(word: str) -> str:
     """Return a word of the core in the language of the window, as it stands alone."""
-    text = translate_core_message(word)
-    return text[:1].upper() + text[1:]
+    return with_capital(translate_core_message(word))
 
 
 def label_of(kind: type[Part], name: str) -> str:

@@ -32,7 +32,7 @@ from insole_core.workflows.make_order import OrderChoice
 from insole_studio.features.export.machine_fields import MachineFields
 from insole_studio.features.export.rows import OrderedFoot
 from insole_studio.features.export.terms_fields import TermsFields
-from insole_studio.texts import localised, tr, translate_core_message
+from insole_studio.texts import localised, tr, translate_core_message, with_capital
 from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.fold import Fold
 from insole_studio.widgets.form_labels import mark_labels
@@ -63,7 +63,7 @@ class MaterialField(QComboBox):
         super().__init__()
         self.setEditable(True)
         for material in ("", *materials):
-            self.addItem(_capitalised(translate_core_message(material)), material)
+            self.addItem(with_capital(translate_core_message(material)), material)
         self.currentTextChanged.connect(self._pass_on)
 
     def show_material(self, material: str) -> None:
@@ -71,7 +71,7 @@ class MaterialField(QComboBox):
         if material != self.material():
             with QSignalBlocker(self):
                 if self.findData(material) < 0:
-                    self.addItem(_capitalised(translate_core_message(material)), material)
+                    self.addItem(with_capital(translate_core_message(material)), material)
                 self.setCurrentText(self.itemText(self.findData(material)))
 
     def material(self) -> str:
@@ -431,10 +431,6 @@ _MATERIAL_OF = {
 
 def _of_side(text: str, side: Side) -> str:
     return (tr("Left: {text}") if side is Side.LEFT else tr("Right: {text}")).format(text=text)
-
-
-def _capitalised(text: str) -> str:
-    return text[:1].upper() + text[1:]
 
 
 def _formats() -> Iterator[tuple[str, str]]:

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.features.foot.rows import ViewRow
-from insole_studio.texts import localised, tr
+from insole_studio.texts import localised, tr, with_capital
 from insole_studio.view_names import view_text
 
 _NAME = Qt.ItemDataRole.UserRole
@@ -160,7 +160,7 @@ def _columns() -> tuple[tuple[str, str, Callable[[ViewRow], str]], ...]:
 def _remark(row: ViewRow) -> str:
     if not row.on:
         return tr("Left out by hand")
-    return row.trouble[:1].upper() + row.trouble[1:] or tr("Good")
+    return with_capital(row.trouble) or tr("Good")
 
 
 def _number(value: float | None, decimals: int) -> str:
