@@ -1,16 +1,69 @@
-"""The parser of the command line: its errors say what to do, its numbers are finite and usual."""
+"""The parser of the command line, the kinds of its values, commands and their steps."""
 
 from __future__ import annotations
 
 import argparse
 import math
 import sys
-from typing import NoReturn
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import date
+from typing import NoReturn, Protocol
 
+from insole_core.cases.written_dates import read_date
+from insole_core.errors import InputError
+from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 
 _MOST = 2**32
 _LONGEST, _LONGEST_NUMBER = 300, 20
+
+
+class Command(Protocol):
+    """The interface of a command's module, and of each of its steps."""
+
+    @property
+    def NAME(self) -> str:
+        """What is typed."""
+        ...
+
+    @property
+    def HELP(self) -> str:
+        """What it does, in one line."""
+        ...
+
+    def add_arguments(self, parser: argparse.ArgumentParser, /) -> None:
+        """Add the arguments."""
+        ...
+
+    def run(self, arguments: argparse.Namespace, progress: Progress, /) -> None:
+        """Do the work; raise errors."""
+        ...
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step that shares its module with others: each is a pair of functions."""
+
+    NAME: str
+    HELP: str
+    add_arguments: Callable[[argparse.ArgumentParser], None]
+    run: Callable[[argparse.Namespace, Progress], None]
+
+
+def add_steps(parser: argparse.ArgumentParser, steps: Sequence[Command], metavar: str) -> None:
+    """Add the steps of a command; the chosen one becomes ``arguments.step``.
+
+    Parameters
+    ----------
+    metavar
+        Name of the step in the usage text.
+    """
+    chosen = parser.add_subparsers(required=True, metavar=metavar)
+    for step in steps:
+        sub = chosen.add_parser(step.NAME, help=step.HELP, description=step.HELP)
+        step.add_arguments(sub)
+        sub.set_defaults(step=step)
 
 
 class Parser(argparse.ArgumentParser):
@@ -57,3 +110,13 @@ def whole(text: str) -> int:
 
 def _cut(text: str) -> str:
     return text if len(text) <= _LONGEST_NUMBER else f"{text[:_LONGEST_NUMBER]}…"
+
+
+def day(text: str) -> date:
+    """Convert an argument to a day."""
+    try:
+        return date.today() if text == "today" else read_date(text, None)
+    except InputError as error:
+        raise argparse.ArgumentTypeError(
+            f"{text} is no day; write it as 2026-11-20, or today"
+        ) from error

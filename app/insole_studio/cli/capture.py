@@ -17,7 +17,7 @@ from insole_core.geometry.side import sides_from
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
-from insole_studio.cli.rig_arguments import add_rig_arguments, sensor_source_of
+from insole_studio.cli.sensor_arguments import add_rig_arguments, sensor_source_of
 from insole_studio.cli.stopping import Stopped
 
 if TYPE_CHECKING:

@@ -9,19 +9,92 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
-from insole_core.formats.file_formats import SOLID_SUFFIXES, check_solid_suffix
+from insole_core.formats.file_formats import SCAN_SUFFIXES, SOLID_SUFFIXES, check_solid_suffix
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.cli import export_arguments, foot_argument, prescribed, shoe_arguments
+from insole_studio.cli import devices, export_arguments, foot_argument
 from insole_studio.cli.path_arguments import OutputPath, side_path
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
     from insole_core.insole.build import Insole
     from insole_core.insole.prescription.design import InsoleDesign
+    from insole_core.insole.prescription.shoe import Shoe
 
 NAME = "design"
 HELP = "make the insole of a session or a scanned foot, for the shop"
+
+
+def _add_shoe_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options."""
+    group = parser.add_argument_group("shoe")
+    group.add_argument(
+        "--shoe", metavar="SHOE",
+        help='the shoe that the insole is for: the file of its last, or a size such as "EU 42", '
+        '"UK 8", "US men 9", "US women 8", "mondopoint 265"',
+    )  # fmt: skip
+    group.add_argument(
+        "--shoe-width", metavar="WIDTH",
+        help="narrow, regular, wide, extra wide, or mm inside at the ball; for a size",
+    )  # fmt: skip
+    group.add_argument(
+        "--shoe-table", type=Path, metavar="sizes.json", help="the clinic's own table of sizes"
+    )
+    group.add_argument(
+        "--trim-to-shoe", action="store_true", help="cut off what is wider than the shoe"
+    )
+
+
+def _check_shoe(arguments: argparse.Namespace) -> None:
+    """Refuse options that need another one."""
+    if arguments.shoe is None:
+        for name in ("shoe_width", "shoe_table", "trim_to_shoe"):
+            if getattr(arguments, name):
+                raise UsageError(f"--{name.replace('_', '-')} needs a shoe; name it with --shoe.")
+    elif arguments.shoe_width and _is_file(arguments.shoe):
+        raise UsageError("--shoe-width is for a size, and a last has its own; leave it out.")
+
+
+def _in_shoe(design: InsoleDesign, arguments: argparse.Namespace, *, either: bool) -> InsoleDesign:
+    """Return a design for the shoe that the arguments name; without one the design itself.
+
+    Parameters
+    ----------
+    either
+        Whether both feet get insoles, so that the last of either foot serves.
+    """
+    from insole_core.workflows.shoe_choice import with_shoe
+
+    shoe = _shoe(design.side, arguments, either=either)
+    if shoe is None:
+        return design
+    return with_shoe(design, replace(shoe, trim=arguments.trim_to_shoe))
+
+
+def _shoe(side: Side, arguments: argparse.Namespace, *, either: bool) -> Shoe | None:
+    from insole_core.insole.shoes.shoe_sizes import REGULAR, read_shoe_table, said_size
+    from insole_core.workflows.shoe_choice import shoe_of_last
+
+    if arguments.shoe is None:
+        return None
+    if _is_file(arguments.shoe):
+        return shoe_of_last(Path(arguments.shoe), side, either=either)
+    table = read_shoe_table(arguments.shoe_table)
+    system, size = said_size(arguments.shoe, table)
+    width = arguments.shoe_width or REGULAR
+    return table.shoe(system, size, width, _millimetres(width))
+
+
+def _is_file(shoe: str) -> bool:
+    return Path(shoe).suffix.lower() in SCAN_SUFFIXES or Path(shoe).exists()
+
+
+def _millimetres(width: str) -> float | None:
+    """Return a width in mm; None for a word."""
+    try:
+        return float(width.replace(",", "."))
+    except ValueError:
+        return None
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -46,8 +119,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--kind", choices=["insole", "block", "positive"], default="insole",
         help="the insole (default), the contact surface in a block, or the foot as a mould",
     )  # fmt: skip
-    prescribed.add_arguments(parser)
-    shoe_arguments.add_arguments(parser)
+    devices.add_prescription_arguments(parser)
+    _add_shoe_arguments(parser)
     foot_argument.add_arguments(parser, reads_both=True)
     export_arguments.add_arguments(parser)
 
@@ -55,7 +128,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the foot, build the insole and write it."""
     check_solid_suffix(arguments.out)
-    shoe_arguments.check(arguments)
+    _check_shoe(arguments)
     if arguments.pair is not None and arguments.block is None:
         raise UsageError("--pair nests two insoles into one block; name it with --block.")
     feet = _feet(arguments)
@@ -136,8 +209,8 @@ def _insole(
     if foot is None:
         reading = progress.part(0.0, 0.8)
         foot = foot_argument.read_foot(wanted.path, wanted.side, arguments, reading)
-    design = prescribed.prescribed(foot, wanted.prescription, arguments)
-    design = shoe_arguments.in_shoe(design, arguments, either=wanted.is_one_of_two)
+    design = devices.prescribed(foot, wanted.prescription, arguments)
+    design = _in_shoe(design, arguments, either=wanted.is_one_of_two)
     return build_insole(foot, design, progress.part(0.8, 1.0))
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.formats.file_formats import can_carry, carriers
 from insole_core.progress import Progress
-from insole_studio.cli import prescribed, print_arguments
+from insole_studio.cli import devices, print_arguments
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
@@ -250,7 +250,7 @@ def _part(
 ) -> Part:
     from insole_core.solids.order import make_part
 
-    table = prescribed.materials(arguments.materials)
+    table = devices.materials(arguments.materials)
     part = make_part(insole, _order(arguments), rules, progress, materials=table)
     if part.order.most_triangles is not None:
         print(

@@ -11,13 +11,16 @@ import logging
 import os
 import sys
 import traceback
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any, TextIO
 
 from insole_core.errors import InsoleError, UsageError
 from insole_core.files.journal import settle_interrupted
 from insole_core.files.temporary import state_folder_of_user
 from insole_core.progress import Progress
-from insole_core.visible_text import VisibleRecord, visible_line
+from insole_core.visible_text import VisibleRecord, visible, visible_line
 from insole_studio.cli import (
     calibrate,
     capture,
@@ -29,6 +32,7 @@ from insole_studio.cli import (
     import_fakenect,
     inspect_scan,
     measure,
+    order,
     pressure,
     reconstruct,
     self_test,
@@ -36,13 +40,10 @@ from insole_studio.cli import (
     simulate,
     window,
 )
-from insole_studio.cli.argument_parser import Parser, PrintVersion
-from insole_studio.cli.order import command as order
+from insole_studio.cli.argument_parser import Command, Parser, PrintVersion
 from insole_studio.cli.path_arguments import check_paths, check_texts
 from insole_studio.cli.records import command as records
 from insole_studio.cli.stopping import Stopped, StopRequest
-from insole_studio.cli.subcommands import Command
-from insole_studio.cli.visible_streams import visible_streams
 from insole_studio.missing_library import missing_library_error
 from insole_studio.native_heap import share_one_heap
 
@@ -70,13 +71,45 @@ COMMANDS: tuple[Command, ...] = (
 _SIGPIPE = 13  # Windows has no signal of this name
 
 
+class _VisibleStream:
+    """A text stream that writes `visible` text; all else is that of the stream itself."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        """Write a text; return its length."""
+        self._stream.write(visible(text))
+        return len(text)
+
+    def writelines(self, lines: Iterable[str]) -> None:
+        """Write each of some texts."""
+        for line in lines:
+            self.write(line)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+
+@contextmanager
+def _visible_streams() -> Iterator[None]:
+    """Let all that is printed meanwhile, tracebacks and warnings included, be visible text."""
+    streams: tuple[Any, Any] = sys.stdout, sys.stderr
+    # A program without a console has none.
+    sys.stdout, sys.stderr = (stream and _VisibleStream(stream) for stream in streams)
+    try:
+        yield
+    finally:
+        sys.stdout, sys.stderr = streams
+
+
 def run(arguments: list[str]) -> int:
     """Run one command and return its exit code."""
     stop = StopRequest()
     stop.heed_signals()
     share_one_heap()
     logging.setLogRecordFactory(VisibleRecord)
-    with visible_streams():
+    with _visible_streams():
         return _exit_code(arguments, stop)
 
 

@@ -1,4 +1,4 @@
-"""Arguments for the reports of a command and the limits that they are judged by."""
+"""Arguments of evaluations and reports, and the limits that they are judged by."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import CalibrationError, UsageError
 from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.sensor_arguments import add_evaluated_sensor
 
 if TYPE_CHECKING:
     from insole_core.evaluation.acceptance_limits import Limits
@@ -103,3 +104,21 @@ def _limit(text: str) -> tuple[str, float]:
             f'--limit is "{text}"; give the key of a number of the report and its limit, for '
             "example mean_abs_mm_raw=2.5."
         ) from None
+
+
+def add_evaluation_arguments(
+    parser: argparse.ArgumentParser, holds: str, judged_by_default: bool = False
+) -> None:
+    """Add the folder of images, the sensor, the limits and the reports.
+
+    Parameters
+    ----------
+    holds
+        Help text: what the folder contains.
+    judged_by_default
+        Whether limits apply even if none are named.
+    """
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help=f"holds {holds}")
+    add_evaluated_sensor(parser)
+    add_limit_arguments(parser, judged_by_default)
+    add_report_argument(parser)

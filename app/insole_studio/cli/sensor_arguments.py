@@ -1,4 +1,4 @@
-"""Arguments that choose the sensor of a command, and where its calibration is stored."""
+"""Arguments that choose the sensors of a command, and where their calibration is stored."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from insole_core.errors import UsageError
 if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor
     from insole_core.workflows.calibration.sensor_store import SensorStore
+    from insole_studio.acquisition.sensor_source import SensorSource
 
 
 def add_store_argument(parser: argparse.ArgumentParser) -> None:
@@ -104,3 +105,34 @@ def _named_sensor(arguments: argparse.Namespace) -> Sensor:
             "it, or name its folder with --sensor."
         )
     return sensor
+
+
+def add_rig_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the session that replaces the sensors, and the folder of stored calibrations."""
+    add_emulate_argument(parser)
+    add_store_argument(parser)
+
+
+def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
+    """Add the recorded session that replaces the sensors."""
+    parser.add_argument(
+        "--emulate", type=Path, metavar="SESSION", default=argparse.SUPPRESS,
+        help="play a recorded session as live sensors; no device is needed",
+    )  # fmt: skip
+
+
+def sensor_source_of(
+    arguments: argparse.Namespace, system_file: Path | None = None
+) -> SensorSource:
+    """Return the sensor source that the arguments select.
+
+    Parameters
+    ----------
+    system_file
+        File of the reference system; None selects the bundled one.
+    """
+    from insole_studio.acquisition.sensor_source import SensorSource
+    from insole_studio.acquisition.warm_up import WARM_UP_FILE
+
+    warm_up_file = store_folder(arguments) / WARM_UP_FILE
+    return SensorSource(store_of(arguments), arguments.emulate, system_file, warm_up_file)

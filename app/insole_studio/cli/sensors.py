@@ -7,7 +7,7 @@ import json
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.cli.rig_arguments import add_rig_arguments, sensor_source_of
+from insole_studio.cli.sensor_arguments import add_rig_arguments, sensor_source_of
 
 if TYPE_CHECKING:
     from insole_studio.acquisition.capture_status import DetectedSensor

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from insole_core.progress import Progress
-from insole_studio.cli.rig_arguments import add_emulate_argument
+from insole_studio.cli.sensor_arguments import add_emulate_argument
 
 NAME = "open"
 HELP = "open the window, on a case, a session or a scan where one is named (the default)"

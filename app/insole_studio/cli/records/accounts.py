@@ -1,4 +1,4 @@
-"""``insole-studio records accounts``: the accounts of the clinic, for its administrator."""
+"""``insole-studio records accounts`` and ``password``: who may sign in, and with what."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
+from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_core.records.author import Role
-from insole_studio.cli.records.place import add_place, opened
-from insole_studio.cli.records.rows import print_rows
-from insole_studio.cli.records.secrets import new_password
+from insole_studio.cli.argument_parser import Step
+from insole_studio.cli.records.arguments import add_place, opened, opened_by_nobody, print_rows
+from insole_studio.cli.records.secrets import new_password, password_of
 
 if TYPE_CHECKING:
     from insole_core.records.accounts import Account
@@ -133,3 +134,24 @@ def _unlock(records: Records, arguments: argparse.Namespace) -> None:
 def _reset(records: Records, arguments: argparse.Namespace) -> None:
     account = records.accounts.named(arguments.name)
     records.accounts.reset_password(account.id, new_password(f"First password of {account.name}"))
+
+
+def _add_password_arguments(parser: argparse.ArgumentParser) -> None:
+    add_place(parser)
+
+
+def _run_password(arguments: argparse.Namespace, _progress: Progress) -> None:
+    """Ask for the present password and for the new one, twice."""
+    if arguments.account is None:
+        raise UsageError("Whose password is to be changed? Name the account with --account NAME.")
+    with opened_by_nobody(arguments) as records:
+        present = password_of(arguments)
+        records.accounts.change_password(arguments.account, present, new_password())
+
+
+PASSWORD = Step(
+    "password",
+    "choose another password for the account that --account names",
+    _add_password_arguments,
+    _run_password,
+)

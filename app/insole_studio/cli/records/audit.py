@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import RecordsError
 from insole_core.progress import Progress
-from insole_studio.cli.argument_parser import whole
-from insole_studio.cli.day_argument import day
-from insole_studio.cli.records.place import add_place, opened
-from insole_studio.cli.records.rows import print_rows
+from insole_studio.cli.argument_parser import day, whole
+from insole_studio.cli.records.arguments import add_place, opened, print_rows
 
 if TYPE_CHECKING:
     from insole_core.records.audit_search import ShownLine

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from insole_core.progress import Progress
+from insole_studio.cli.argument_parser import Command, add_steps
 from insole_studio.cli.records import (
     accounts,
     audit,
@@ -12,39 +13,30 @@ from insole_studio.cli.records import (
     erase,
     export,
     import_,
-    list_,
-    migrate,
-    password,
-    restore,
-    retention,
-    schedule,
-    show,
-    statement,
-    undo_upgrade,
-    verify,
+    look_up,
+    upkeep,
 )
-from insole_studio.cli.subcommands import Command, add_steps
 from insole_studio.user_paths import UserPaths
 
 NAME = "records"
 HELP = "the clinic's record: its patients, orders and backups"
 STEPS: tuple[Command, ...] = (
-    list_,
-    show,
+    look_up.LIST,
+    look_up.SHOW,
     import_,
-    export,
-    statement,
-    backup,
-    schedule,
-    restore,
-    verify,
-    migrate,
-    undo_upgrade,
+    export.EXPORT,
+    export.STATEMENT,
+    backup.BACKUP,
+    backup.SCHEDULE,
+    backup.RESTORE,
+    upkeep.VERIFY,
+    upkeep.MIGRATE,
+    upkeep.UNDO_UPGRADE,
     accounts,
-    password,
+    accounts.PASSWORD,
     audit,
-    erase,
-    retention,
+    erase.ERASE,
+    erase.RETENTION,
 )
 
 

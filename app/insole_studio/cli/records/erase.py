@@ -1,4 +1,4 @@
-"""``insole-studio records erase``: erase a person, on request or after the time of keeping."""
+"""``insole-studio records erase`` and ``retention``: when a person's record ends."""
 
 from __future__ import annotations
 
@@ -7,14 +7,11 @@ from datetime import date
 
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
-from insole_studio.cli.records.place import add_place, opened
-
-NAME = "erase"
-HELP = "erase a person; the law keeps the documentation of devices for some years, without a name"
+from insole_studio.cli.argument_parser import Step, whole
+from insole_studio.cli.records.arguments import add_place, opened
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments."""
+def _add_erase_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "pseudonym", metavar="PSEUDONYM", help="of a written request, or of retention"
     )
@@ -29,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_place(parser)
 
 
-def run(arguments: argparse.Namespace, progress: Progress) -> None:
+def _run_erase(arguments: argparse.Namespace, progress: Progress) -> None:
     """Say what erasing means, and erase."""
     from insole_core.records.retention import ErasureReason, find_erasable
     from insole_core.records.rights import Right
@@ -54,3 +51,55 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         leftovers.erase(records, found.person_id, reason, today)
         leftovers.forget(leftovers.erased(records))
     progress.step(1.0, "Done: {pseudonym} is erased", pseudonym=found.pseudonym)
+
+
+ERASE = Step(
+    "erase",
+    "erase a person; the law keeps the documentation of devices for some years, without a name",
+    _add_erase_arguments,
+    _run_erase,
+)
+
+
+def _add_retention_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--years", type=whole, metavar="N", help="keep the record for so many years, at least ten"
+    )
+    parser.add_argument(
+        "--limit", type=whole, default=100, metavar="N", help="most persons (default: 100)"
+    )
+    add_place(parser)
+
+
+def _run_retention(arguments: argparse.Namespace, _progress: Progress) -> None:
+    """Set the years if they are given, and print a line for each person."""
+    from insole_core.records.retention import (
+        LEAST_YEARS,
+        YEARS_VALUE,
+        over_retention_named,
+    )
+    from insole_core.records.rights import Right
+
+    with opened(arguments, Right.ERASE) as records:
+        if arguments.years is not None:
+            if arguments.years < LEAST_YEARS:
+                raise UsageError(
+                    f"--years is {arguments.years}, and the law keeps the documentation of a "
+                    f"device for at least {LEAST_YEARS} years; give as many, or more."
+                )
+            records.clinic.set(YEARS_VALUE, arguments.years)
+        years = records.clinic.get(YEARS_VALUE, LEAST_YEARS)
+        print(f"kept for {years} years after the last entry")
+        for found in over_retention_named(records.context, date.today(), arguments.limit):
+            print(
+                f"{found.pseudonym}\tkept until {found.kept_until}\t{found.visits} visits\t"
+                f"{found.orders} orders"
+            )
+
+
+RETENTION = Step(
+    "retention",
+    "list by pseudonym those whose record need not be kept any longer, or say for how long it is",
+    _add_retention_arguments,
+    _run_retention,
+)

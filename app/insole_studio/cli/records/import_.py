@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_studio.cli.path_arguments import OutputPath
-from insole_studio.cli.records.place import add_place, opened
+from insole_studio.cli.records.arguments import add_place, opened
 
 if TYPE_CHECKING:
     from insole_core.cases.written_dates import DateOrder

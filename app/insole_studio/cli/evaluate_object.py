@@ -11,8 +11,7 @@ from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.board_arguments import add_board_arguments, board_of
-from insole_studio.cli.evaluation.arguments import add_evaluation_arguments
-from insole_studio.cli.report_arguments import check_reports, conclude
+from insole_studio.cli.report_arguments import add_evaluation_arguments, check_reports, conclude
 from insole_studio.cli.sensor_arguments import evaluated_sensor
 
 if TYPE_CHECKING:

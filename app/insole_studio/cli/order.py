@@ -1,4 +1,4 @@
-"""``insole-studio order create``: write an order from case files."""
+"""``insole-studio order``: all that a shop needs for an order, in one place."""
 
 from __future__ import annotations
 
@@ -9,28 +9,26 @@ from datetime import date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import UsageError
+from insole_core.errors import InputError, UsageError
 from insole_core.export.shop_order import OrderTerms
 from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
-from insole_studio.cli.argument_parser import whole
-from insole_studio.cli.day_argument import day
+from insole_studio.cli.argument_parser import Command, Step, add_steps, day, whole
 from insole_studio.cli.path_arguments import OutputPath
-from insole_studio.cli.records.language import add_language, wording_of
+from insole_studio.cli.records.arguments import add_language, wording_of
 
 if TYPE_CHECKING:
     from insole_core.solids.shop import Shop
     from insole_core.workflows.make_order import OrderChoice
     from insole_core.workflows.order_package import PackedItem
 
-NAME = "create"
-HELP = "write solids, job sheets and order.json of one or more cases into a folder or zip archive"
+NAME = "order"
+HELP = "write an order to a shop as one folder or zip archive, or verify one that arrived"
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments."""
+def _add_create_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("cases", type=Path, nargs="+", metavar="CASE.insole")
     parser.add_argument(
         "--out", action=OutputPath, required=True, metavar="FOLDER|ORDER.zip",
@@ -69,7 +67,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--shop", type=Path, metavar="shop.json", help="its blocks and layers")
 
 
-def run(arguments: argparse.Namespace, progress: Progress) -> None:
+def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the cases, make the parts and write the order."""
     from insole_core.solids.order_number import new_order_number
     from insole_core.solids.shop import read_shop
@@ -169,3 +167,60 @@ def _added(text: str) -> tuple[Side | None, Path]:
             f'"{text}" does not name a foot and a file; write it as left=insole.nc'
         )
     return (None if word == "both" else Side(word)), Path(name)
+
+
+CREATE = Step(
+    "create",
+    "write solids, job sheets and order.json of one or more cases into a folder or zip archive",
+    _add_create_arguments,
+    _run_create,
+)
+
+
+def _add_verify_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("order", type=Path, metavar="FOLDER|ZIP", help="of the order")
+
+
+def _run_verify(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Open the order, print what it holds, and what is wrong with it."""
+    from insole_core.export.order_verification import verify_order
+
+    verification = verify_order(arguments.order, progress)
+    order = verification.order
+    count = sum(item.terms.quantity for item in order.items)
+    told = (
+        f"Order {order.release.number}, revision {order.release.revision}, of {order.created_at}, "
+        f"by {order.program}: "
+        f"{len(order.items)} patients, {count} pieces or pairs, {len(order.files)} files"
+    )
+    for line in (told, *verification.problems):
+        print(visible_line(line))
+    if verification.problems:
+        raise InputError(
+            "{order} is not as it was written: {count} problems, listed above; do not make it "
+            "before the clinic has answered.",
+            order=arguments.order,
+            count=len(verification.problems),
+        )
+    print(visible_line(f"The order is complete. {verification.compared()}"))
+
+
+VERIFY = Step(
+    "verify",
+    "say what is missing, changed, added, or of a wrong side in an order; exit code 1 if so",
+    _add_verify_arguments,
+    _run_verify,
+)
+
+
+STEPS: tuple[Command, ...] = (CREATE, VERIFY)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the steps."""
+    add_steps(parser, STEPS, "STEP")
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Run the chosen step."""
+    arguments.step.run(arguments, progress)

@@ -1,27 +1,30 @@
-"""``insole-studio records list``: find persons, orders, and the visits of a day."""
+"""``insole-studio records list`` and ``show``: find persons, orders and visits, and read them."""
 
 from __future__ import annotations
 
 import argparse
+import json
+import sys
 from collections.abc import Sequence
 from datetime import date
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.cli.argument_parser import whole
-from insole_studio.cli.day_argument import day
-from insole_studio.cli.records.place import add_place, opened
-from insole_studio.cli.records.rows import Row, print_rows
+from insole_studio.cli.argument_parser import Step, day, whole
+from insole_studio.cli.records.arguments import (
+    Row,
+    add_person,
+    add_place,
+    opened,
+    person_id_of,
+    print_rows,
+)
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
 
-NAME = "list"
-HELP = "list persons, found by words as in the window; or open orders, or the visits of a day"
 
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments."""
+def _add_list_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "words", nargs="*", metavar="WORD",
         help="of name, birth date, personal number, pseudonym or order (default: the recent ones)",
@@ -38,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_place(parser)
 
 
-def run(arguments: argparse.Namespace, _progress: Progress) -> None:
+def _run_list(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Print a line for each."""
     from insole_core.records.rights import Right
 
@@ -85,3 +88,44 @@ def _rows(records: Records, arguments: argparse.Namespace) -> Sequence[Row]:
 
 def _written(day: date | None) -> str:
     return "" if day is None else day.isoformat()
+
+
+LIST = Step(
+    "list",
+    "list persons, found by words as in the window; or open orders, or the visits of a day",
+    _add_list_arguments,
+    _run_list,
+)
+
+
+def _add_show_arguments(parser: argparse.ArgumentParser) -> None:
+    add_person(parser)
+    parser.add_argument("--json", action="store_true", help="as JSON, for other programs")
+    add_place(parser)
+
+
+def _run_show(arguments: argparse.Namespace, _progress: Progress) -> None:
+    """Print the person as text or JSON, without the large files."""
+    from insole_core.evaluation.report import section_lines
+    from insole_core.records.rights import Right
+    from insole_core.workflows.records.person_dossier import read_dossier
+    from insole_core.workflows.records.person_json import person_json
+    from insole_core.workflows.records.person_summary import person_report
+
+    with opened(arguments, Right.SEE) as records:
+        person = records.persons.open(person_id_of(records, arguments.person))
+        dossier = read_dossier(records, person.id)
+    if arguments.json:
+        json.dump(person_json(dossier, {}, (), ()), sys.stdout, indent=1, ensure_ascii=False)
+        print()
+        return
+    report = person_report(dossier, {}, (), ())
+    print("\n\n".join("\n".join(section_lines(section)) for section in report.sections))
+
+
+SHOW = Step(
+    "show",
+    "print what the record holds of a person; the audit log tells it",
+    _add_show_arguments,
+    _run_show,
+)

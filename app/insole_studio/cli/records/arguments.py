@@ -1,26 +1,33 @@
-"""Which record a command works on, and with which account."""
+"""What the steps of `records` share: the record, the account, a person, a language, and rows."""
 
 from __future__ import annotations
 
 import argparse
+import json
 import logging
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import FirstPassword, NotAllowed, RecordsError, UsageError
+from insole_core.errors import FirstPassword, InputError, NotAllowed, RecordsError, UsageError
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.records.secrets import new_password, password_of
+from insole_studio.languages import LANGUAGES
 
 if TYPE_CHECKING:
     from insole_core.records.author import Author
     from insole_core.records.place import RecordsPlace
     from insole_core.records.records import Records
     from insole_core.records.rights import Right
+    from insole_core.workflows.records.person_summary import Wording
 
 log = logging.getLogger(__name__)
+
+_SHOWN = 5
+
+Row = Mapping[str, str]
 
 
 def add_place(parser: argparse.ArgumentParser) -> None:
@@ -198,3 +205,65 @@ def sign_in(records: Records, arguments: argparse.Namespace) -> Author:
     except FirstPassword as error:
         print(error, file=sys.stderr)
     return accounts.change_password(account, password, new_password())
+
+
+def add_person(parser: argparse.ArgumentParser) -> None:
+    """Add the argument."""
+    parser.add_argument(
+        "person", metavar="PERSON",
+        help="pseudonym, personal number, or words that only one person is found by",
+    )  # fmt: skip
+
+
+def person_id_of(records: Records, text: str) -> str:
+    """Return the id of the person that a text names.
+
+    Raises
+    ------
+    InputError
+        When it names nobody, or several.
+    """
+    found = records.persons.search(text) if text.strip() else []
+    named = [person for person in found if text in (person.id, person.pseudonym)]
+    if len(named or found) == 1:
+        return (named or found)[0].id
+    if not found:
+        raise InputError("Nobody is found by “{text}”; check it with: records list.", text=text)
+    some = ", ".join(person.pseudonym for person in found[:_SHOWN])
+    raise InputError(
+        "“{text}” names several persons ({some}…); give the pseudonym of one of them.",
+        text=text,
+        some=some,
+    )
+
+
+def add_language(parser: argparse.ArgumentParser) -> None:
+    """Add the option that chooses a language."""
+    parser.add_argument(
+        "--language",
+        choices=list(LANGUAGES),
+        help="of what is written (default: that of the window)",
+    )
+
+
+def wording_of(arguments: argparse.Namespace) -> Wording:
+    """Return the language that was chosen, else that of the window."""
+    from insole_core.workflows.records.person_summary import Wording
+    from insole_studio.settings import load_settings
+    from insole_studio.texts import language_code, translation_into
+    from insole_studio.user_paths import UserPaths
+
+    language = arguments.language or load_settings(UserPaths.of_user().settings_file).language
+    return Wording(language_code(language), translation_into(language))
+
+
+def print_rows(rows: Sequence[Row], *, as_json: bool) -> None:
+    """Print rows with their headings, cells apart by tabs, or as JSON."""
+    from insole_core.export.csv_text import csv_text
+
+    if as_json:
+        json.dump(rows, sys.stdout, indent=1, ensure_ascii=False)
+        print()
+        return
+    lines = [tuple(rows[0]), *(tuple(row.values()) for row in rows)] if rows else []
+    print(csv_text(lines, delimiter="\t"), end="")

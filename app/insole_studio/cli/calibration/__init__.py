@@ -1,1 +1,0 @@
-"""`insole-studio calibrate`: a module for each step."""

@@ -1,1 +1,0 @@
-"""`insole-studio evaluate`: a module for each evaluation."""

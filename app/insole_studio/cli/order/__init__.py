@@ -1,1 +1,0 @@
-"""`insole-studio order`: to make and to verify an order."""
