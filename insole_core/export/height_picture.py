@@ -62,7 +62,7 @@ class HeightPicture(Flowable):  # type: ignore[misc, unused-ignore]
     most_mm
         Greatest height of the key; None for that of the solids.
     block_mm
-        Width and length of a block at the origin, which is outlined.
+        Least x and y, greatest x and y of a block, which is outlined.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class HeightPicture(Flowable):  # type: ignore[misc, unused-ignore]
         *,
         least_pt: float | None = None,
         most_mm: float | None = None,
-        block_mm: tuple[float, float] | None = None,
+        block_mm: tuple[float, float, float, float] | None = None,
     ) -> None:
         super().__init__()
         self._mapped, self._frame_mm, self._block_mm = mapped, frame_mm, block_mm
@@ -135,8 +135,9 @@ class HeightPicture(Flowable):  # type: ignore[misc, unused-ignore]
         )
         if self._block_mm is not None:
             canvas.setLineWidth(1.5)
-            width, length = (side * self._scale for side in self._block_mm)
-            canvas.rect(*self._place(0, 0), width, length)
+            x, y = self._place(*self._block_mm[:2])
+            far_x, far_y = self._place(*self._block_mm[2:])
+            canvas.rect(x, y, far_x - x, far_y - y)
             canvas.setLineWidth(0.5)
         room_mm = 24 / self._scale
         step = next((step for step in _STEPS_MM if step >= room_mm), _STEPS_MM[-1])

@@ -140,11 +140,13 @@ class Nesting:
 
     Parameters
     ----------
+    stock
+        Name and sides of the block, in words.
     block_mm
         Width (x), length (y), height (z).
     """
 
-    block_name: str
+    stock: str
     block_mm: Place
     parts: tuple[NestedPart, ...]
 
@@ -213,11 +215,11 @@ def _sections_page(drawn: DrawnInsole, title: Facts, words: Facts, count: Facts)
 def _sheet(sheet: JobSheet, texts: dict[str, str], translate: Translate) -> list[Flowable]:
     story = [paragraph(texts["title"], TITLE)]
     for key in ("identification", "measures", "make"):
-        story += _facts(texts[key], getattr(sheet, key), translate)
+        story += facts_table(texts[key], getattr(sheet, key), translate)
     file = {"name": sheet.file_name, "SHA-256": _digest_of(sheet.file)}
-    story += _facts(texts["file"], file, translate)
+    story += facts_table(texts["file"], file, translate)
     frame = texts["frame on page 1" if sheet.is_nested else "frame"]
-    story += _list(texts["checks"], sheet.checks)
+    story += listed(texts["checks"], sheet.checks)
     story += _warnings(texts, sheet.warnings)
     story += [paragraph(f"{frame} {texts['footer']}", NOTE)]
     return [*story, *_picture(sheet, texts["heights"])]
@@ -230,24 +232,16 @@ def _nesting_page(
     common = {
         key: value for key, value in sheet.identification.items() if key in _OF_THE_WHOLE_ORDER
     }
-    width, length, height = nesting.block_mm
-    size = Message(
-        "{block}, {length:g} × {width:g} × {height:g} mm",
-        block=nesting.block_name,
-        length=length,
-        width=width,
-        height=height,
-    )
     return [
         paragraph(texts["title"], TITLE),
-        *_facts(
+        *facts_table(
             texts["identification"],
-            {**common, "file": sheet.file_name, "stock": translate(size)},
+            {**common, "file": sheet.file_name, "stock": translate(nesting.stock)},
             translate,
         ),
         paragraph(texts["nesting"], HEAD),
         _nesting_picture(nesting, paper_texts("words", translate)),
-        *_facts(
+        *facts_table(
             texts["places"],
             {part.name: translate(_position(part, texts)) for part in nesting.parts},
             translate,
@@ -306,14 +300,14 @@ def write_prescription(
     """
     texts = paper_texts("prescription", translate)
     story = [paragraph(texts["title"], TITLE)]
-    story += _facts(texts["identification"], identification, translate)
+    story += facts_table(texts["identification"], identification, translate)
     given = {key: value for key, value in responsible.items() if value}
-    story += _facts(texts["responsible"], given, translate)
-    story += _list(texts["corrections"], corrections or ("–",))
+    story += facts_table(texts["responsible"], given, translate)
+    story += listed(texts["corrections"], corrections or ("–",))
     story += _warnings(texts, warnings)
-    story += _facts(texts["make"], make, translate)
+    story += facts_table(texts["make"], make, translate)
     statement = _filled(texts["statement"], {**identification, **responsible})
-    story += _list(texts["statement_title"], (statement,))
+    story += listed(texts["statement_title"], (statement,))
     story += [Spacer(1, 20 * mm), paragraph("_" * 40)]
     story += [paragraph(texts["signature"])]
     write_pages(story, path, texts["title"])
@@ -339,7 +333,7 @@ def write_report(
     image = Image(io.BytesIO(picture), width=135 * mm, height=120 * mm)
     story: list[Flowable] = [paragraph(title, TITLE), image]
     for heading, facts in sections:
-        story += _facts(heading, facts)
+        story += facts_table(heading, facts)
     write_pages(story, path, title)
 
 
@@ -429,7 +423,8 @@ def paper_texts(name: str, translate: Translate = str) -> dict[str, str]:
     return {key: translate(str(value)) for key, value in content.items()}
 
 
-def _facts(title: str, facts: Facts, translate: Translate = str) -> list[Flowable]:
+def facts_table(title: str, facts: Facts, translate: Translate = str) -> list[Flowable]:
+    """Return a heading and a table of names and values; the names are words of words.json."""
     if not facts:
         return []
     words = paper_texts("words", translate)
@@ -446,13 +441,14 @@ def _facts(title: str, facts: Facts, translate: Translate = str) -> list[Flowabl
     return [paragraph(title, HEAD), table]
 
 
-def _list(title: str, lines: Sequence[str]) -> list[Flowable]:
+def listed(title: str, lines: Sequence[str]) -> list[Flowable]:
+    """Return a heading and lines below it."""
     return [paragraph(title, HEAD), *(paragraph(line) for line in lines)]
 
 
 def _warnings(texts: Facts, sentences: Sequence[str]) -> list[Flowable]:
     return (
-        _list(texts["warnings"], [f"! {sentence}" for sentence in sentences]) if sentences else []
+        listed(texts["warnings"], [f"! {sentence}" for sentence in sentences]) if sentences else []
     )
 
 
@@ -484,4 +480,4 @@ def _nesting_picture(nesting: Nesting, words: Facts) -> Flowable:
         labels = [((left + right) / 2, y, words.get(word, word)) for y, word in places]
         mapped.append(MappedHeights(part.heights, part.failed_mm, tuple(labels)))
     frame = (-6.0, -6.0, width + 6.0, length + 6.0)
-    return HeightPicture(mapped, frame, 140 * mm, most_mm=height, block_mm=(width, length))
+    return HeightPicture(mapped, frame, 140 * mm, most_mm=height, block_mm=(0, 0, width, length))

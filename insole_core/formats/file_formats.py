@@ -168,9 +168,18 @@ PROGRAM: Final = FileFormat(
 JOB_SHEET: Final = FileFormat(
     name="PDF", endings=("-job-sheet.pdf",), role="job_sheet", names_nobody=True
 )
+SETUP_SHEET: Final = FileFormat(
+    name="PDF", endings=("-setup-sheet.pdf",), role="other", names_nobody=True
+)
+PIN_HOLES: Final = FileFormat(
+    name="G-code", endings=("-pin-holes.nc",), role="other", names_nobody=True
+)
+"""Of the spoil board, from which no insole is made."""
 CHECKS: Final = FileFormat(name="JSON", endings=("-checks.json",), role="checks", names_nobody=True)
 
-_FORMATS: Final[tuple[FileFormat, ...]] = (*MESH_FORMATS, PROGRAM, JOB_SHEET, CHECKS)
+_FORMATS: Final[tuple[FileFormat, ...]] = (
+    *MESH_FORMATS, PIN_HOLES, PROGRAM, JOB_SHEET, SETUP_SHEET, CHECKS
+)  # fmt: skip
 _BY_SUFFIX: Final = {end: form for form in MESH_FORMATS for end in form.endings}
 SCAN_SUFFIXES: Final = tuple(end for form in MESH_FORMATS if form.reader for end in form.endings)
 """Of all scans that are read."""

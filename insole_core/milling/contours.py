@@ -227,6 +227,19 @@ def dowel_holes(
         When a hole is narrower than the cutter, meets the side of the block, or is too near a
         piece.
     """
+    for place in dowel_places(machine, block_mm):
+        _require_free(place, machine, surface, block_mm)
+    return bored_at_dowels(machine, block_mm)
+
+
+def bored_at_dowels(machine: Machine, block_mm: tuple[float, float, float]) -> Operation:
+    """Bore through a block, or through the upper layer of a spoil board, where the dowels sit.
+
+    Raises
+    ------
+    DesignError
+        When a hole is narrower than the cutter.
+    """
     how, cutter = machine.both_sides, machine.contour.cutter
     radius = how.dowel_diameter_mm / 2 - cutter.radius_mm
     if radius < 0:
@@ -238,7 +251,6 @@ def dowel_holes(
         )
     writer = PathWriter(block_mm[2] + machine.safe_height_mm)
     for place in dowel_places(machine, block_mm):
-        _require_free(place, machine, surface, block_mm)
         writer.start(_bore(place, radius, block_mm[2], machine.roughing.step_down_mm))
     return writer.operation("dowels", "foot side", cutter)
 

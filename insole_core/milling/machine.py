@@ -32,6 +32,8 @@ _USUAL_OFFSET: WorkOffset = "G54"
 _USUAL_PARKING = ("G0 Z{park_mm}",)
 _USUAL_ACCELERATION_MM_S2 = (500.0, 500.0, 200.0)
 """Of machine files from before they named these."""
+_USUAL_DEPTH_MM = 10.0
+"""Of holes in the spoil board, where the machine file does not say."""
 _CHANGING = ("G20", "G91")
 """Inches and relative places; programs are in millimetres and absolute."""
 _COMMENT = re.compile(r"\([^()]*\)|;.*$")
@@ -110,12 +112,15 @@ class BothSides:
         From the ends of the block to the middle of a dowel.
     skin_mm
         Of the block below the piece.
+    board_depth_mm
+        Of the holes for the dowels in the spoil board.
     """
 
     flip: FlipAxis
     dowel_diameter_mm: float
     dowel_inset_mm: float
     skin_mm: float
+    board_depth_mm: float
 
 
 @dataclass(frozen=True)
@@ -353,6 +358,7 @@ def _both_sides(item: JsonObject) -> BothSides:
         item.number("dowel_diameter_mm", 2, 30),
         item.number("dowel_inset_mm", 2, 100),
         item.number("skin_mm", 0.5, 50),
+        item.number("board_depth_mm", 1, 50) if item.has("board_depth_mm") else _USUAL_DEPTH_MM,
     )
 
 

@@ -77,10 +77,17 @@ class LeftOver:
 
 @dataclass(frozen=True)
 class FootInBlock:
-    """For which foot a solid is, and whether its toes point to the end of the block at y = 0."""
+    """For which foot a solid is, and whether its toes point to the end of the block at y = 0.
+
+    Parameters
+    ----------
+    mark
+        Of the order, where a block holds those of several; never the patient's name.
+    """
 
     side: Side
     is_turned: bool = False
+    mark: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +104,8 @@ class MillingPlan:
         Of each side that is milled.
     notes
         What the shop should know, one sentence each.
+    feet
+        For which foot each solid is.
     """
 
     machine: Machine
@@ -105,6 +114,7 @@ class MillingPlan:
     operations: tuple[Operation, ...]
     left_over: tuple[LeftOver, ...]
     notes: tuple[Message, ...]
+    feet: tuple[FootInBlock, ...] = ()
 
     def left_on(self, number: int) -> FloatArray:
         """Return the height of the material that stays at each vertex of a solid.
@@ -190,8 +200,8 @@ def plan_milling(
     hollows = [_hollow(left, machine, block_mm, lying, feet) for left in left_over]
     notes = tuple(note for note in hollows if note is not None)
     return MillingPlan(
-        machine, block_mm, tuple(lying), tuple(operations), tuple(left_over), notes
-    )  # fmt: skip
+        machine, block_mm, tuple(lying), tuple(operations), tuple(left_over), notes, tuple(feet)
+    )
 
 
 def _moved(solid: TriangleMesh, by_mm: FloatArray) -> TriangleMesh:

@@ -62,8 +62,9 @@ class ExportPaths:
         Outcome of the checks, JSON.
     job_sheet, prescription
         PDF.
-    program
-        Of a router, from `workflows.mill`.
+    program, setup_sheet, pin_holes
+        Of a router, from `workflows.mill`: what mills the pieces, the PDF for its operator, and
+        what bores the holes for dowels into the spoil board.
     """
 
     solid: Path
@@ -71,6 +72,8 @@ class ExportPaths:
     job_sheet: Path | None = None
     prescription: Path | None = None
     program: Path | None = None
+    setup_sheet: Path | None = None
+    pin_holes: Path | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,7 +224,7 @@ def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
         If a path cannot be written.
     """
     check_solid_suffix(places.solid)
-    for paper in (places.job_sheet, places.prescription):
+    for paper in (places.job_sheet, places.prescription, places.setup_sheet):
         if paper is not None and paper.suffix.lower() != ".pdf":
             raise UsageError(
                 "{paper} is a paper, which is written as .pdf; change its suffix.", paper=paper
@@ -432,10 +435,10 @@ def _translated(facts: Mapping[str, str], translate: Translate) -> dict[str, str
 def _nesting(block: Block, placed: tuple[PlacedPart, ...]) -> Nesting:
     from insole_core.export.paper import NestedPart, Nesting
 
-    length, width = sorted(block.size_mm[:2], reverse=True)
+    length, width, height = block.sides_mm
     return Nesting(
-        block_name=block.name,
-        block_mm=(width, length, block.size_mm[2]),
+        stock=block.words,
+        block_mm=(width, length, height),
         parts=tuple(
             NestedPart(
                 name=str(each.part.side),
@@ -486,14 +489,7 @@ def _make(job: ExportJob, part: Part) -> dict[str, str]:
     if job.terms.remarks:
         facts["remarks"] = job.terms.remarks
     if job.block is not None:
-        width, length, height = job.block.size_mm
-        facts["stock"] = Message(
-            "{block}, {length:g} × {width:g} × {height:g} mm",
-            block=job.block.name,
-            length=length,
-            width=width,
-            height=height,
-        )
+        facts["stock"] = job.block.words
     return facts
 
 

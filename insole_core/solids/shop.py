@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
 from insole_core.json_object import JsonObject
+from insole_core.messages import Message
 from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-shop", 1
@@ -21,6 +22,24 @@ class Block:
 
     name: str
     size_mm: tuple[float, float, float]
+
+    @property
+    def sides_mm(self) -> tuple[float, float, float]:
+        """Length, width and height, the longer side first however they were given."""
+        length, width = sorted(self.size_mm[:2], reverse=True)
+        return length, width, self.size_mm[2]
+
+    @property
+    def words(self) -> Message:
+        """Name and sides, as every paper has them."""
+        length, width, height = self.sides_mm
+        return Message(
+            "{block}, {length:g} × {width:g} × {height:g} mm",
+            block=self.name,
+            length=length,
+            width=width,
+            height=height,
+        )
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,14 @@ from insole_core.cases.days import doubtful_days
 from insole_core.errors import DesignError, InputError
 from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.files.transaction import Transaction
-from insole_core.formats.file_formats import CHECKS, JOB_SHEET, PROGRAM, can_carry
+from insole_core.formats.file_formats import (
+    CHECKS,
+    JOB_SHEET,
+    PIN_HOLES,
+    PROGRAM,
+    SETUP_SHEET,
+    can_carry,
+)
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -42,7 +49,7 @@ from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_core.workflows.mill import MillingChoice, plan_job, write_program
+from insole_core.workflows.mill import MillingChoice, plan_job, write_milling
 from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.print_order import PrintChoice, zoned_print
 
@@ -339,7 +346,8 @@ def write_order(
         When a place cannot be written.
     Cancelled
     """
-    materials = ", ".join(ordered_material(choice, part.insole.design) for part in parts)
+    named = (ordered_material(choice, part.insole.design) for part in parts)
+    materials = ", ".join(dict.fromkeys(filter(None, named)))
     release = release or Release()
     _require_nameless(choice, materials, path, patient, override=override, release=release)
     if choice.prescription:
@@ -367,11 +375,25 @@ def write_order(
                 printing=made.printing,
             )
             run_export_job(job, place, temporary, step.part(0.0, 0.8))
-            if temporary.program is not None and made.milling is not None:
-                write_program(
-                    made.milling, temporary.program, choice.pseudonym, step.part(0.8, 1.0)
-                )
+            if made.milling is not None and choice.block is not None:
+                write_milling(
+                    made.milling, choice.block, place, temporary,
+                    identification=_order_facts(choice, release, materials),
+                    translate=translate, progress=step.part(0.8, 1.0),
+                )  # fmt: skip
     return tuple(place.solid for place in places)
+
+
+def _order_facts(choice: OrderChoice, release: Release, materials: str) -> dict[str, str]:
+    """Return by what the operator of a router knows an order."""
+    facts = {
+        "pseudonym": choice.pseudonym,
+        "order number": release.number,
+        "revision": str(release.revision) if release.number else "",
+        "material": materials,
+        "date": date.today().isoformat(),
+    }
+    return {name: text for name, text in facts.items() if text or name == "pseudonym"}
 
 
 def _laid_out(parts: Sequence[Part], choice: OrderChoice) -> list[Part]:
@@ -506,6 +528,8 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Exp
         named(choice.job_sheet, JOB_SHEET.ending),
         named(choice.prescription, "-prescription.pdf"),
         named(choice.milling is not None, PROGRAM.ending),
+        named(choice.milling is not None, SETUP_SHEET.ending),
+        named(choice.milling is not None and choice.milling.both_sides, PIN_HOLES.ending),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,12 +13,14 @@ from insole_core.files.atomic import write_text
 from insole_core.formats.file_formats import PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of
+from insole_core.messages import Translate
 from insole_core.milling.gcode import gcode
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
+from insole_core.milling.spoil_board import spoil_board_plan
 from insole_core.progress import SILENT, Progress
 from insole_core.resources import resource_path
-from insole_core.solids.export_job import ExportJob
+from insole_core.solids.export_job import ExportJob, ExportPaths
 from insole_core.solids.shop import Block
 from insole_core.workflows.named_files import NamedFiles
 
@@ -111,8 +113,8 @@ def plan_job(
         When block, machine or a cutter is too small.
     Cancelled
     """
-    length, width = sorted(block.size_mm[:2], reverse=True)
-    block_mm = (width, length, block.size_mm[2])
+    length, width, height = block.sides_mm
+    block_mm = (width, length, height)
     placed = job.placed()
     solids = [each.part.solid.transformed(each.insole2file) for each in placed]
     feet = [FootInBlock(each.part.side, bool(each.insole2file[1, 1] < 0)) for each in placed]
@@ -146,3 +148,52 @@ def write_program(plan: MillingPlan, path: Path, job: str, progress: Progress = 
         When the place cannot be written; a file that was there before is untouched.
     """
     write_text(gcode(plan, job, progress), path)
+
+
+def write_milling(
+    plan: MillingPlan,
+    block: Block,
+    places: ExportPaths,
+    beside: ExportPaths,
+    *,
+    identification: Mapping[str, str],
+    translate: Translate = str,
+    progress: Progress = SILENT,
+) -> None:
+    """Write the program of a plan, that of the spoil board, and the set-up sheet of both.
+
+    Parameters
+    ----------
+    block
+        From which `plan` was made.
+    places, beside
+        The final paths, and the temporary files to write, as for `run_export_job`; what is None is
+        not written.
+    identification
+        Of the order, with its "pseudonym"; never the patient's name.
+    translate
+        Into the language of the sheet.
+
+    Raises
+    ------
+    OutputError
+        When a place cannot be written.
+    """
+    from insole_core.workflows.setup_sheet import RouterFile, write_setup_sheet
+
+    if beside.program is None or places.program is None:
+        return
+    job = identification["pseudonym"]
+    write_program(plan, beside.program, job, progress.part(0.0, 0.8))
+    made = RouterFile(places.program.name, beside.program, plan.operations)
+    pins = None
+    if places.pin_holes is not None and beside.pin_holes is not None:
+        board = spoil_board_plan(plan.machine, plan.block_mm)
+        write_program(board, beside.pin_holes, job)
+        pins = RouterFile(places.pin_holes.name, beside.pin_holes, board.operations)
+    if beside.setup_sheet is not None:
+        progress.step(0.8, "Writing the set-up sheet")
+        write_setup_sheet(
+            plan, [made], beside.setup_sheet,
+            block=block, identification=identification, pin_holes=pins, translate=translate,
+        )  # fmt: skip

@@ -82,7 +82,7 @@ PUT_TOGETHER = {"shoe height"} | {
 """Words of the catalogue that the core makes of parts."""
 PAPER_TEXTS = {
     text
-    for paper in ("job_sheet", "person_summary", "prescription", "words")
+    for paper in ("job_sheet", "person_summary", "prescription", "setup_sheet", "words")
     for text in paper_texts(paper).values()
 }
 """Texts of the papers that are written in the language of the program."""

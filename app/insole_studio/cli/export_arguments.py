@@ -69,6 +69,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="LinuxCNC (default), GRBL, Mach3, one of the clinic's, or a machine file (.json)",
     )  # fmt: skip
     mill.add_argument("--both-sides", action="store_true", help="turn the block, on two dowels")
+    mill.add_argument(
+        "--setup-sheet", action=OutputPath, metavar="setup.pdf", help="for the router's operator"
+    )
+    mill.add_argument(
+        "--pin-holes", action=OutputPath, metavar="pins.nc",
+        help="program that bores the holes for the dowels of --both-sides into the spoil board",
+    )  # fmt: skip
     print_arguments.add_arguments(parser)
     papers = parser.add_argument_group("checks and papers")
     papers.add_argument("--rules", type=Path, metavar="rules.json", help="of the clinic and shop")
@@ -99,6 +106,8 @@ def places(arguments: argparse.Namespace) -> ExportPaths:
         arguments.job_sheet,
         arguments.prescription_paper,
         arguments.gcode,
+        arguments.setup_sheet,
+        arguments.pin_holes,
     )
 
 
@@ -108,7 +117,7 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
 
     if arguments.layers and not can_carry(arguments.out.suffix, "bodies"):
         raise UsageError(f"--layers needs {_LAYERED}, and --out is {arguments.out}; change one.")
-    if arguments.gcode is not None:
+    if (arguments.gcode, arguments.setup_sheet, arguments.pin_holes) != (None, None, None):
         _check_milling(arguments)
     print_arguments.check(arguments)
     return open_places(places(arguments))
@@ -117,7 +126,13 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
 def _check_milling(arguments: argparse.Namespace) -> None:
     from insole_core.workflows.mill import check_program_suffix
 
+    if arguments.gcode is None:
+        raise UsageError("--setup-sheet and --pin-holes belong to a program; name it with --gcode.")
     check_program_suffix(arguments.gcode)
+    if arguments.pin_holes is not None:
+        check_program_suffix(arguments.pin_holes)
+        if not arguments.both_sides:
+            raise UsageError("--pin-holes are for a block that is turned; add --both-sides.")
     if arguments.block is None:
         raise UsageError("--gcode mills the insole from a block; name it with --block.")
     _machine(arguments)
@@ -173,14 +188,18 @@ def deliver(
     )
     export_job.run_export_job(job, places(arguments), beside, progress.part(0.8, 0.9))
     if beside.program is not None and block is not None:
-        _mill(job, block, arguments, beside.program, progress.part(0.9, 1.0))
+        _mill(job, block, arguments, beside, progress.part(0.9, 1.0))
 
 
 def _mill(
-    job: ExportJob, block: Block, arguments: argparse.Namespace, path: Path, progress: Progress
+    job: ExportJob,
+    block: Block,
+    arguments: argparse.Namespace,
+    beside: ExportPaths,
+    progress: Progress,
 ) -> None:
     """Write the program, and print how long it takes and what stays in hollows."""
-    from insole_core.workflows.mill import plan_job, write_program
+    from insole_core.workflows.mill import plan_job, write_milling
 
     plan = plan_job(
         job, block, _machine(arguments),
@@ -190,24 +209,28 @@ def _mill(
         print(line, file=sys.stderr)
     for note in plan.notes:
         print(f"Warning: {note}", file=sys.stderr)
-    write_program(plan, path, job.identification["pseudonym"], progress.part(0.7, 1.0))
+    write_milling(
+        plan, block, places(arguments), beside,
+        identification=job.identification, progress=progress.part(0.7, 1.0),
+    )  # fmt: skip
 
 
 def _facts(plan: MillingPlan) -> list[str]:
     """Return what is told before a program is used, a line each."""
+    from insole_core.insole.elements.words import duration_message
     from insole_core.milling.tool_path import Motion
 
     lines = [
         f"{operation.side}, {operation.name}, {operation.cutter.name}: "
         f"{operation.lengths_mm(Motion.FEED) / 1000:.1f} m, "
-        f"{operation.minutes(plan.machine):.0f} min"
+        f"{duration_message(operation.minutes(plan.machine))}"
         for operation in plan.operations
     ]
     return [
         *lines,
         *(_place(plan, solid) for solid in plan.solids),
-        f"{plan.machine.name}: {plan.length_m:.0f} m of path, {plan.minutes:.0f} minutes without "
-        f"changes of cutters; at most {plan.most_left_mm:.2f} mm stay in hollows.",
+        f"{plan.machine.name}: {plan.length_m:.0f} m of path, {duration_message(plan.minutes)} "
+        f"without changes of cutters; at most {plan.most_left_mm:.2f} mm stay in hollows.",
     ]
 
 

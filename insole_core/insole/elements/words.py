@@ -50,3 +50,11 @@ def worded(found: Declared, value: Any, least_decimals: int = DECIMALS) -> Messa
         both = joined((number_message(one, decimals) for one in value), " × ")
         return Message("{number} mm", number=both)
     return Message(value)
+
+
+def duration_message(minutes: float) -> Message:
+    """Say a time to whole minutes, in hours and minutes from an hour on."""
+    hours, rest = divmod(max(round(minutes), 1), 60)
+    if hours == 0:
+        return Message("{minutes} min", minutes=rest)
+    return Message("{hours} h {minutes} min", hours=hours, minutes=rest)

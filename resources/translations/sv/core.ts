@@ -344,6 +344,10 @@
             <translation>Alla bilder visar en vägg på samma avstånd, fast andra avstånd anges; ta en vägg på vart och ett av dem.</translation>
         </message>
         <message>
+            <source>All places are millimetres along the axes of the machine, from the zero that the program is made for. The programs named above, with these SHA-256, belong to this sheet.</source>
+            <translation>Alla lägen är millimeter längs maskinens axlar, från den nollpunkt som programmet är gjort för. Programmen ovan, med dessa SHA-256, hör till detta blad.</translation>
+        </message>
+        <message>
             <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
         </message>
@@ -444,6 +448,10 @@
             <translation>Vid huvudena</translation>
         </message>
         <message>
+            <source>At the machine</source>
+            <translation>Vid maskinen</translation>
+        </message>
+        <message>
             <source>Averaging the frames</source>
             <translation>Tar medel av bilderna</translation>
         </message>
@@ -506,6 +514,10 @@
         <message>
             <source>Block</source>
             <translation>Block</translation>
+        </message>
+        <message>
+            <source>Block and zero</source>
+            <translation>Block och nollpunkt</translation>
         </message>
         <message>
             <source>Body weight</source>
@@ -610,6 +622,14 @@
         <message>
             <source>Chopart</source>
             <translation>Chopart</translation>
+        </message>
+        <message>
+            <source>Clamps</source>
+            <translation>Fastspänning</translation>
+        </message>
+        <message>
+            <source>Clamps and turning</source>
+            <translation>Fastspänning och vändning</translation>
         </message>
         <message>
             <source>Clinic</source>
@@ -740,8 +760,16 @@
             <translation>Hälskål på 20 eller mer, bakfotskil.</translation>
         </message>
         <message>
+            <source>Cut the tabs, and take the pieces out.</source>
+            <translation>Skär av flikarna och ta ut styckena.</translation>
+        </message>
+        <message>
             <source>Cut-out</source>
             <translation>Urtag</translation>
+        </message>
+        <message>
+            <source>Cutters, in the order in which they are needed</source>
+            <translation>Fräsar, i den ordning de behövs</translation>
         </message>
         <message>
             <source>Cutting round the piece</source>
@@ -830,6 +858,10 @@
         <message>
             <source>Distance of the points that the surface is computed at</source>
             <translation>Avstånd mellan punkterna som ytan beräknas i</translation>
+        </message>
+        <message>
+            <source>Dowels, from the zero</source>
+            <translation>Styrpinnar, från nollpunkten</translation>
         </message>
         <message>
             <source>Draft and chamfer of the walls are those of the prescription's shell; those of the order are not used.</source>
@@ -1476,6 +1508,10 @@
             <translation>Lateral skivning på 2 till 3.</translation>
         </message>
         <message>
+            <source>Lay the block as in the picture, clamp it, and set the zero.</source>
+            <translation>Lägg blocket som på bilden, spänn fast det och ställ nollpunkten.</translation>
+        </message>
+        <message>
             <source>Layers</source>
             <translation>Lager</translation>
         </message>
@@ -1540,6 +1576,10 @@
             <translation>Låt undersidan stiga framför en linje längs huvudena</translation>
         </message>
         <message>
+            <source>Lies</source>
+            <translation>Ligger</translation>
+        </message>
+        <message>
             <source>Line {line} of {path} has {count} columns, and a table may have {most}; check its quotation marks.</source>
             <translation>Rad {line} i {path} har {count} kolumner, och en tabell får ha {most}; kontrollera citattecknen.</translation>
         </message>
@@ -1582,6 +1622,10 @@
         <message>
             <source>Looking for the board on {capture}</source>
             <translation>Söker brädet på {capture}</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>Maskin</translation>
         </message>
         <message>
             <source>Made with</source>
@@ -1836,6 +1880,10 @@
             <translation>Yrke</translation>
         </message>
         <message>
+            <source>Once for all blocks of these sides: put in cutter {cutter}, set the zero as for the block, but z = 0 on the surface of the spoil board, and run {file}: it bores two holes of {diameter} mm, {depth} mm deep.</source>
+            <translation>En gång för alla block med dessa mått: sätt i fräs {cutter}, ställ nollpunkten som för blocket men z = 0 på offerskivans yta, och kör {file}: det borrar två hål på {diameter} mm, {depth} mm djupa.</translation>
+        </message>
+        <message>
             <source>One column holds the whole name, and another a part of it; choose either the whole name, or given name and family name.</source>
             <translation>En kolumn innehåller hela namnet och en annan en del av det; välj antingen hela namnet eller förnamn och efternamn.</translation>
         </message>
@@ -1890,6 +1938,10 @@
         <message>
             <source>OpenGL {version}, {renderer}</source>
             <translation>OpenGL {version}, {renderer}</translation>
+        </message>
+        <message>
+            <source>Order and machine</source>
+            <translation>Beställning och maskin</translation>
         </message>
         <message>
             <source>Order number</source>
@@ -2092,6 +2144,10 @@
             <translation>Program</translation>
         </message>
         <message>
+            <source>Programs, in the order in which they are run</source>
+            <translation>Program, i den ordning de körs</translation>
+        </message>
+        <message>
             <source>Projection</source>
             <translation>Projektion</translation>
         </message>
@@ -2102,6 +2158,14 @@
         <message>
             <source>Pseudonym or order number</source>
             <translation>Pseudonym eller beställningsnummer</translation>
+        </message>
+        <message>
+            <source>Put in cutter {cutter}, and run {file}.</source>
+            <translation>Sätt i fräs {cutter} och kör {file}.</translation>
+        </message>
+        <message>
+            <source>Put the dowels into the board, turn the block about {line}, foot side down, and lay it on them; the zero stays.</source>
+            <translation>Sätt styrpinnarna i skivan, vänd blocket runt {line}, fotsidan ned, och lägg det på dem; nollpunkten står kvar.</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {views}</source>
@@ -2358,6 +2422,10 @@
         <message>
             <source>Set the depth of the heel cup</source>
             <translation>Ange hälskålens djup</translation>
+        </message>
+        <message>
+            <source>Set-up sheet for the router</source>
+            <translation>Inställningsblad för fräsmaskinen</translation>
         </message>
         <message>
             <source>Settings</source>
@@ -2672,6 +2740,10 @@
             <translation>Blocket är {there:g} mm högt, och stycket behöver {need:.1f} mm; ta ett högre block.</translation>
         </message>
         <message>
+            <source>The block on the machine, seen from above</source>
+            <translation>Blocket på maskinen, sett uppifrån</translation>
+        </message>
+        <message>
             <source>The block, seen from above</source>
             <translation>Blocket, sett ovanifrån</translation>
         </message>
@@ -2806,6 +2878,14 @@
         <message>
             <source>The cutter "{cutter}" reaches {reach:g} mm, and must go {depth:.1f} mm deep; take a lower block or a longer cutter.</source>
             <translation>Fräsen ”{cutter}” når {reach:g} mm och måste gå {depth:.1f} mm djupt; ta ett lägre block eller en längre fräs.</translation>
+        </message>
+        <message>
+            <source>The cutter parks. Put in cutter {cutter}, set its height again, and go on.</source>
+            <translation>Fräsen parkerar. Sätt i fräs {cutter}, ställ dess höjd på nytt och fortsätt.</translation>
+        </message>
+        <message>
+            <source>The cutter parks. {step}</source>
+            <translation>Fräsen parkerar. {step}</translation>
         </message>
         <message>
             <source>The data of this person were erased; nothing can be added to them.</source>
@@ -4012,6 +4092,10 @@
             <translation>Lutar sensorn för vy {view}</translation>
         </message>
         <message>
+            <source>Time, without changes of cutters</source>
+            <translation>Tid, utan verktygsbyten</translation>
+        </message>
+        <message>
             <source>Tired arch</source>
             <translation>Trött fotvalv</translation>
         </message>
@@ -4090,6 +4174,10 @@
         <message>
             <source>Turn the forefoot against the rearfoot</source>
             <translation>Vrid framfoten mot bakfoten</translation>
+        </message>
+        <message>
+            <source>Turned about</source>
+            <translation>Vänds runt</translation>
         </message>
         <message>
             <source>Turning the foot and shaping the heel</source>
@@ -4344,6 +4432,10 @@
             <translation>Skriver programmet</translation>
         </message>
         <message>
+            <source>Writing the set-up sheet</source>
+            <translation>Skriver inställningsbladet</translation>
+        </message>
+        <message>
             <source>Writing the summary</source>
             <translation>Skriver sammanfattningen</translation>
         </message>
@@ -4356,8 +4448,16 @@
             <translation>Skrivet av</translation>
         </message>
         <message>
+            <source>X{x:.1f} Y{y:.1f}</source>
+            <translation>X{x:.1f} Y{y:.1f}</translation>
+        </message>
+        <message>
             <source>You are not signed in; sign in with your account of the record first.</source>
             <translation>Du är inte inloggad; logga först in med ditt konto i journalen.</translation>
+        </message>
+        <message>
+            <source>Zero</source>
+            <translation>Nollpunkt</translation>
         </message>
         <message>
             <source>Zones of other density are for insoles only; choose the insole as the piece, or no printer.</source>
@@ -4644,6 +4744,10 @@
             <translation>längd till trampdynan</translation>
         </message>
         <message>
+            <source>ball nose</source>
+            <translation>kulfräs</translation>
+        </message>
+        <message>
             <source>ball width</source>
             <translation>trampdynans bredd</translation>
         </message>
@@ -4816,6 +4920,10 @@
             <translation>klotår</translation>
         </message>
         <message>
+            <source>clearing</source>
+            <translation>grovfräsning</translation>
+        </message>
+        <message>
             <source>clinic</source>
             <translation>klinik</translation>
         </message>
@@ -4846,6 +4954,10 @@
         <message>
             <source>contents</source>
             <translation>filer</translation>
+        </message>
+        <message>
+            <source>contour</source>
+            <translation>kontur</translation>
         </message>
         <message>
             <source>coordinates in it are no numbers</source>
@@ -4988,6 +5100,10 @@
             <translation>diabetes</translation>
         </message>
         <message>
+            <source>diameter {diameter} mm, at {places}</source>
+            <translation>diameter {diameter} mm, vid {places}</translation>
+        </message>
+        <message>
             <source>disparity</source>
             <translation>disparitet</translation>
         </message>
@@ -5126,6 +5242,10 @@
         <message>
             <source>finish</source>
             <translation>utformning av kanten</translation>
+        </message>
+        <message>
+            <source>finishing</source>
+            <translation>finfräsning</translation>
         </message>
         <message>
             <source>first</source>
@@ -5300,6 +5420,14 @@
             <translation>hälens största bredd vid 10 till 22 % av längden</translation>
         </message>
         <message>
+            <source>greatest x</source>
+            <translation>största x</translation>
+        </message>
+        <message>
+            <source>greatest y</source>
+            <translation>största y</translation>
+        </message>
+        <message>
             <source>hammer toe</source>
             <translation>hammartå</translation>
         </message>
@@ -5438,6 +5566,10 @@
         <message>
             <source>holds the weight of a body or the points of a trim line, which belong to one foot; leave them out</source>
             <translation>innehåller en kroppsvikt eller punkterna på en klipplinje, som hör till en enda fot; utelämna dem</translation>
+        </message>
+        <message>
+            <source>holes for the dowels</source>
+            <translation>hål för styrpinnarna</translation>
         </message>
         <message>
             <source>horseshoe</source>
@@ -5804,6 +5936,10 @@
             <translation>hälen mot y = 0</translation>
         </message>
         <message>
+            <source>its length of {length:g} mm along {along}, its width of {width:g} mm along {across}</source>
+            <translation>längden {length:g} mm längs {along}, bredden {width:g} mm längs {across}</translation>
+        </message>
+        <message>
             <source>its lines do not hold the same number of columns, three or more</source>
             <translation>dess rader har inte samma antal kolumner, tre eller fler</translation>
         </message>
@@ -5818,6 +5954,14 @@
         <message>
             <source>its markers lie {mean_mm:.1f} mm from the reference system on average, more than {limit_mm:g} mm (worst: {worst}); check that the reference system was not changed or moved</source>
             <translation>dess markörer ligger i medel {mean_mm:.1f} mm från referenssystemet, mer än {limit_mm:g} mm (sämst: {worst}); kontrollera att referenssystemet inte ändrats eller flyttats</translation>
+        </message>
+        <message>
+            <source>its middle line along its length</source>
+            <translation>mittlinjen längs dess längd</translation>
+        </message>
+        <message>
+            <source>its middle line along its width</source>
+            <translation>mittlinjen längs dess bredd</translation>
         </message>
         <message>
             <source>its nodes contain each other, or are far too many</source>
@@ -5910,6 +6054,14 @@
         <message>
             <source>least 3 under the heel usual; above 95 kg the clinic's own judgement</source>
             <translation>minst 3 under hälen är vanligt; över 95 kg klinikens egen bedömning</translation>
+        </message>
+        <message>
+            <source>least x</source>
+            <translation>minsta x</translation>
+        </message>
+        <message>
+            <source>least y</source>
+            <translation>minsta y</translation>
         </message>
         <message>
             <source>left</source>
@@ -6360,6 +6512,10 @@
             <translation>ingen blå markör med djupvärde syns; kontrollera ljuset och att referenssystemet är i bild</translation>
         </message>
         <message>
+            <source>no edge has {room:g} mm free: hold the block from its sides or from below, such as by vacuum or tape</source>
+            <translation>ingen kant har {room:g} mm fritt: håll blocket från sidorna eller underifrån, till exempel med vakuum eller tejp</translation>
+        </message>
+        <message>
             <source>no good backup</source>
             <translation>ingen felfri säkerhetskopia</translation>
         </message>
@@ -6434,6 +6590,10 @@
         <message>
             <source>of unknown age</source>
             <translation>av okänd ålder</translation>
+        </message>
+        <message>
+            <source>on free edges alone ({edges}), beside the dowels, and no higher than {safe} mm above the block</source>
+            <translation>bara på fria kanter ({edges}), bredvid styrpinnarna och högst {safe} mm ovanför blocket</translation>
         </message>
         <message>
             <source>on the server {place}, which answers</source>
@@ -7008,6 +7168,10 @@
             <translation>kula</translation>
         </message>
         <message>
+            <source>spoil board: holes for the dowels</source>
+            <translation>offerskiva: hål för styrpinnarna</translation>
+        </message>
+        <message>
             <source>sprain</source>
             <translation>stukning</translation>
         </message>
@@ -7110,6 +7274,14 @@
         <message>
             <source>the clinic's own judgement</source>
             <translation>klinikens egen bedömning</translation>
+        </message>
+        <message>
+            <source>the corner of the block with least x and y, its upper side</source>
+            <translation>blockets hörn med minst x och y, dess ovansida</translation>
+        </message>
+        <message>
+            <source>the corner of the block with least x and y, the surface of the board</source>
+            <translation>blockets hörn med minst x och y, skivans yta</translation>
         </message>
         <message>
             <source>the depth is {percent:.1f} % {direction} than the markers in the colour image say, and is corrected by that; calibrate the sensor, and see that the session has the right reference system</source>
@@ -7230,6 +7402,14 @@
         <message>
             <source>the markers {first} and {second} were pointed at in one place; point at each where it is</source>
             <translation>markörerna {first} och {second} pekades ut på samma ställe; peka ut var och en där den är</translation>
+        </message>
+        <message>
+            <source>the middle of the block, its upper side</source>
+            <translation>blockets mitt, dess ovansida</translation>
+        </message>
+        <message>
+            <source>the middle of the block, the surface of the board</source>
+            <translation>blockets mitt, skivans yta</translation>
         </message>
         <message>
             <source>the name is too long; choose a shorter one</source>
@@ -7520,6 +7700,10 @@
             <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
         </message>
         <message>
+            <source>x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f} mm from the zero; its toes towards {direction}</source>
+            <translation>x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f} mm från nollpunkten; tårna mot {direction}</translation>
+        </message>
+        <message>
             <source>x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f}, z 0 – {z_end:.1f} mm; {turn}</source>
             <translation>x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f}, z 0 – {z_end:.1f} mm; {turn}</translation>
         </message>
@@ -7796,6 +7980,10 @@
             <translation>{dpi:g} punkter per tum har ingen skanner; det måste vara {low:g} till {high:g}.</translation>
         </message>
         <message>
+            <source>{edge} {room:.0f} mm</source>
+            <translation>{edge} {room:.0f} mm</translation>
+        </message>
+        <message>
             <source>{end_key}{where} is {end:g}, and must lie at least {least:g} beyond {start_key} ({start:g}), or the surface gets a step.</source>
             <translation>{end_key}{where} är {end:g}, och måste ligga minst {least:g} bortom {start_key} ({start:g}), annars får ytan ett steg.</translation>
         </message>
@@ -8052,6 +8240,10 @@
             <translation>{height} ({length} × {width})</translation>
         </message>
         <message>
+            <source>{hours} h {minutes} min</source>
+            <translation>{hours} h {minutes} min</translation>
+        </message>
+        <message>
             <source>{key} of form has {count} stations, and must have {least} to {most}; add or remove some.</source>
             <translation>{key} i form har {count} stationer och måste ha {least} till {most}; lägg till eller ta bort några.</translation>
         </message>
@@ -8104,6 +8296,10 @@
             <translation>{limit} trianglar är för få för denna kropp: {count} avviker {deviation_mm:.3f} mm, och {allowed_mm:g} mm är tillåtet; tillåt fler trianglar eller större avvikelse.</translation>
         </message>
         <message>
+            <source>{line}: {across} = {at:.1f} mm, along {axis}</source>
+            <translation>{line}: {across} = {at:.1f} mm, längs {axis}</translation>
+        </message>
+        <message>
             <source>{list}[{number}]</source>
             <translation>{list}[{number}]</translation>
         </message>
@@ -8126,6 +8322,14 @@
         <message>
             <source>{markers} pointed at</source>
             <translation>{markers} utpekade</translation>
+        </message>
+        <message>
+            <source>{mark}, {side}</source>
+            <translation>{mark}, {side}</translation>
+        </message>
+        <message>
+            <source>{minutes} min</source>
+            <translation>{minutes} min</translation>
         </message>
         <message>
             <source>{names} points are named, but {true_points} true and {measured_points} measured positions are given; give each point's both positions.</source>
@@ -8254,6 +8458,14 @@
         <message>
             <source>{number} mm</source>
             <translation>{number} mm</translation>
+        </message>
+        <message>
+            <source>{offset}: {place}</source>
+            <translation>{offset}: {place}</translation>
+        </message>
+        <message>
+            <source>{offset}: {place}, and from there x {x:g} mm, y {y:g} mm</source>
+            <translation>{offset}: {place}, och därifrån x {x:g} mm, y {y:g} mm</translation>
         </message>
         <message>
             <source>{paper} is a paper, which is written as .pdf; change its suffix.</source>
@@ -8980,12 +9192,20 @@
             <translation>{session} spelades in med båda fötterna, men ingen {side} fot är på sin plats; avbilda båda igen, eller välj enbart {other} fot.</translation>
         </message>
         <message>
+            <source>{shape}, diameter {diameter} mm, flutes {flute} mm, at least {free} mm out of the collet; {rpm:.0f} rpm, {time}</source>
+            <translation>{shape}, diameter {diameter} mm, skär {flute} mm, minst {free} mm utanför spännhylsan; {rpm:.0f} varv/min, {time}</translation>
+        </message>
+        <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>
             <translation>{share:.0%} av bilden fylldes aldrig av en vägg; flytta skivan dit.</translation>
         </message>
         <message>
             <source>{share:.0%} of the {pad} lie on the transition to the rim; move it inwards or set a narrower transition.</source>
             <translation>{share:.0%} av {pad} ligger på övergången till randen; flytta den inåt eller ställ in en smalare övergång.</translation>
+        </message>
+        <message>
+            <source>{side}: {work}</source>
+            <translation>{side}: {work}</translation>
         </message>
         <message>
             <source>{size:.1f} MB on this computer</source>
@@ -9162,6 +9382,10 @@
         <message>
             <source>{where} must be two numbers in [ ].</source>
             <translation>{where} måste vara två tal i [ ].</translation>
+        </message>
+        <message>
+            <source>{works} (SHA-256 {digest})</source>
+            <translation>{works} (SHA-256 {digest})</translation>
         </message>
         <message>
             <source>{zone} {density:g} %</source>

@@ -692,8 +692,8 @@
             <translation>{length:.0f} × {width:.0f} × {height:.1f} mm, {volume:.0f} cm³, {count} trianglar</translation>
         </message>
         <message>
-            <source>{minutes:.0f} minutes without changes of cutters, {length:.0f} m of path</source>
-            <translation>{minutes:.0f} minuter utan verktygsbyten, {length:.0f} m bana</translation>
+            <source>{time} without changes of cutters, {length:.0f} m of path</source>
+            <translation>{time} utan verktygsbyten, {length:.0f} m bana</translation>
         </message>
         <message>
             <source>{value:.0f} mm² cannot be reached by the cutter</source>

@@ -142,6 +142,8 @@ def test_places_of_a_nested_pair_are_those_of_the_file(record: CaseRecord, tmp_p
     text = text_of_pdf(tmp_path / "o-pair-job-sheet.pdf")
     x, y, _ = worst["place_mm"]
     assert f"x = {x:.0f} mm, y = {y:.0f} mm" in text.replace("\n", " ")
+    sides = re.findall(r"EVA pair, (\d+) \S+ (\d+) ", text.replace("\n", " "))
+    assert sides == 3 * [("340", "260")], "the page of the block, and the sheets of both sides"
     nest = closest_nest(*(part.solid for part in parts))
     left, _ = nest.in_middle_of(block_of("EVA pair").size_mm).meshes
     (low, _, _), (high, _, _) = left.bounds_mm

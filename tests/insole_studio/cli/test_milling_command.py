@@ -26,14 +26,16 @@ def test_the_program_lies_beside_the_solid(
 ) -> None:
     solid, program = tmp_path / "left.stl", tmp_path / "left.nc"
     options = ["--out", str(solid), "--gcode", str(program), "--block", "EVA single"]
+    options += ["--setup-sheet", str(tmp_path / "setup.pdf")]
     assert run([*call, *options, "--machine", "grbl", "--pseudonym", "P-7"]) == 0
     told = capsys.readouterr().err
     assert "foot side, finishing, 6 mm ball nose:" in told
-    assert "minutes without changes of cutters" in told
+    assert "min without changes of cutters" in told
     lines = program.read_text(encoding="ascii").splitlines()
     assert lines[0] == "(P-7)"
     assert lines[-1] == "M2"
     assert solid.stat().st_size > 1000
+    assert (tmp_path / "setup.pdf").read_bytes().startswith(b"%PDF")
 
 
 @pytest.mark.slow
@@ -56,6 +58,11 @@ def test_a_block_too_low_leaves_neither_program_nor_solid(
     ("options", "sentence"),
     [
         (["--gcode", "left.nc"], "name it with --block"),
+        (["--setup-sheet", "setup.pdf", "--block", "EVA single"], "name it with --gcode"),
+        (
+            ["--gcode", "left.nc", "--block", "EVA single", "--pin-holes", "pins.nc"],
+            "add --both-sides",
+        ),
         (["--gcode", "left.pdf", "--block", "EVA single"], "is no name of a program"),
         (
             ["--gcode", "left.nc", "--block", "EVA single", "--machine", "Okuma"],

@@ -14,6 +14,7 @@ from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, transform
+from insole_core.insole.elements.words import duration_message
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.milling.machine import Machine
 from insole_core.milling.plan import MillingPlan
@@ -28,7 +29,7 @@ from insole_core.workflows.print_order import PrintChoice, pressure_maps
 from insole_studio.features.export.machine_fields import Machines
 from insole_studio.features.export.part_colors import PartColors, colors_of, placed_together
 from insole_studio.jobs import Jobs
-from insole_studio.texts import fill, tr
+from insole_studio.texts import fill, tr, translate_core_message
 
 if TYPE_CHECKING:
     from insole_studio.features.export.order_form import OrderForm
@@ -225,9 +226,11 @@ def _facts_of_print(printing: Printing) -> list[str]:
 
 def _facts_of_program(plan: MillingPlan) -> list[str]:
     """Return what is told before a program is used."""
-    way = tr("{minutes:.0f} minutes without changes of cutters, {length:.0f} m of path")
+    way = tr("{time} without changes of cutters, {length:.0f} m of path")
     left = tr("At most {left:.2f} mm of material stay in hollows")
     return [
-        fill(way, minutes=plan.minutes, length=plan.length_m),
+        fill(
+            way, time=translate_core_message(duration_message(plan.minutes)), length=plan.length_m
+        ),
         fill(left, left=plan.most_left_mm),
     ]

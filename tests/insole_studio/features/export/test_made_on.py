@@ -216,14 +216,16 @@ def test_a_router_gets_its_program_beside_the_solid(
     QTest.keyClick(fields.both_sides, KEYS.Key_Space)
     settle()
     assert fields.error.text() == ""
-    assert "minutes without changes of cutters" in fields.facts.text()
+    assert "min without changes of cutters" in fields.facts.text()
     assert stage.view.form.cutter.value() == 6.0
     asker.answer = tmp_path / "anna.stl"
     told: list[Ordered] = []
     stage.exported.connect(lambda _record, ordered: told.append(ordered))
     stage.view.export.click()
     settle()
-    assert sorted(path.name for path in tmp_path.glob("anna*")) == ["anna-left.nc", "anna-left.stl"]
+    assert sorted(path.name for path in tmp_path.glob("anna*")) == [
+        "anna-left-setup-sheet.pdf", "anna-left.nc", "anna-left.stl"
+    ]  # fmt: skip
     assert [path.name for path in told[0].paths] == ["anna-left.stl", "anna-left.nc"]
     assert "\nG1 X" in (tmp_path / "anna-left.nc").read_text()
     assert stage.view.summary.text() == "Exported anna-left.stl, anna-left.nc"

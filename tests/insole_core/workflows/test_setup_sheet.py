@@ -1,0 +1,132 @@
+"""The set-up sheet of a router says what its programs do."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import manifold3d
+import numpy as np
+import pytest
+from read_pdf import text_of_pdf
+
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.milling.machine import read_machine
+from insole_core.milling.plan import FootInBlock, plan_milling
+from insole_core.resources import resource_path
+from insole_core.solids.export_job import ExportPaths
+from insole_core.solids.shop import Block
+from insole_core.solids.simplification import from_manifold
+from insole_core.workflows.mill import write_milling
+
+BLOCK = Block("EVA single", (120.0, 200.0, 24.0))
+"""Its longer side is named last."""
+
+
+def wedge() -> TriangleMesh:
+    """A piece of 50 × 90 × 12 mm, that no turn maps onto itself, in the middle of the block."""
+    corners = [(0, 0), (50, 0), (50, 70), (20, 90), (0, 60)]
+    low = manifold3d.CrossSection([corners]).extrude(12.0)
+    return from_manifold(low.translate([35.0, 55.0, 0.0]))
+
+
+@dataclass(frozen=True)
+class Written:
+    """What the shop gets."""
+
+    sheet: str
+    program: str
+    pins: str
+
+
+@pytest.fixture(scope="module", params=["grbl", "linuxcnc", "mach3"])
+def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Written:
+    folder: Path = tmp_path_factory.mktemp("setup")
+    machine = read_machine(resource_path(f"milling/{request.param}.json"))
+    length, width, height = BLOCK.sides_mm
+    plan = plan_milling(
+        [wedge()], (width, length, height), machine,
+        both_sides=True, feet=[FootInBlock(Side.LEFT)],
+    )  # fmt: skip
+    places = ExportPaths(
+        folder / "P.stl",
+        program=folder / "P.nc", setup_sheet=folder / "P.pdf", pin_holes=folder / "P-pins.nc",
+    )  # fmt: skip
+    write_milling(plan, BLOCK, places, places, identification={"pseudonym": "P-7"})
+    return Written(
+        " ".join(text_of_pdf(folder / "P.pdf").split()),
+        (folder / "P.nc").read_text(),
+        (folder / "P-pins.nc").read_text(),
+    )
+
+
+def places_of(program: str) -> np.ndarray:
+    """All places x, y, z of a program that a move ends at."""
+    at, found = {"X": 0.0, "Y": 0.0, "Z": 0.0}, []
+    for line in program.splitlines():
+        words = re.findall(r"([XYZ])(-?[\d.]+)", line) if line.startswith(("G0 ", "G1 ")) else []
+        if words:
+            at |= {letter: float(number) for letter, number in words}
+            found.append(list(at.values()))
+    return np.array(found)
+
+
+def holes_of(program: str) -> list[list[float]]:
+    """The middles of the two holes that a program bores first."""
+    bored = program.split("(dowels", 1)[1].split("(roughing", 1)[0]
+    at = places_of(bored)
+    deep = at[at[:, 2] < at[:, 2].min() + 0.01]
+    first = np.linalg.norm(deep[:, :2] - deep[0, :2], axis=1) < 20
+    return [(np.ptp(part, axis=0) / 2 + part.min(axis=0))[:2].tolist()
+            for part in (deep[first], deep[~first])]  # fmt: skip
+
+
+def test_dowels_stand_on_the_sheet_where_both_programs_bore_them(written: Written) -> None:
+    named = re.findall(r"X(-?[\d.]+) Y(-?[\d.]+)", written.sheet.split("Dowels, from")[1])[:2]
+    expected = [[float(number) for number in place] for place in named]
+    assert len(expected) == 2
+    assert expected[0] != expected[1]
+    for program in (written.program, written.pins):
+        assert holes_of(program) == pytest.approx(np.array(expected), abs=0.1)
+
+
+def test_the_holes_of_the_board_begin_at_its_surface(written: Written) -> None:
+    """Whether the zero of the block is on its upper side or below it."""
+    heights = places_of(written.pins)[:, 2]
+    assert heights.min() == -10
+    assert heights.max() >= 5
+    assert "set the zero as for the block, but z = 0 on the surface" in written.sheet
+
+
+def test_the_piece_lies_where_the_sheet_says(written: Written) -> None:
+    """The walls are cut a cutter's radius beside it."""
+    range_mm = r"(-?[\d.]+) \S+ (-?[\d.]+)"  # a dash is no letter of ASCII
+    found = re.search(f"x {range_mm}, y {range_mm} mm from the zero", written.sheet)
+    assert found is not None
+    left, right, low, high = map(float, found.groups())
+    assert sorted([right - left, high - low]) == [50, 90]
+    walls = written.program.split("(contour, foot side")[1].split("\n(")[0]
+    cut = places_of(walls)
+    assert cut[:, 0].min() == pytest.approx(left - 3, abs=0.2)
+    assert cut[:, 0].max() == pytest.approx(right + 3, abs=0.2)
+    assert cut[:, 1].min() == pytest.approx(low - 3, abs=0.2)
+    assert cut[:, 1].max() == pytest.approx(high + 3, abs=0.2)
+
+
+def test_the_sheet_follows_the_stops_of_the_program(written: Written) -> None:
+    titles = re.findall(r"^\((\w+), ([\w ]+), (\d mm [\w ]+)\)$", written.program, re.MULTILINE)
+    stops = sum(
+        (later[1] != earlier[1]) + (later[2] != earlier[2]) for earlier, later in pairwise(titles)
+    )
+    assert stops >= 3
+    assert written.sheet.count("The cutter parks.") == stops
+    assert written.sheet.count("turn the block about") == 1
+    assert "1 (6 mm flat end) flat, diameter 6 mm, flutes 22 mm" in written.sheet
+
+
+def test_the_block_has_its_longer_side_first(written: Written) -> None:
+    assert re.search(r"EVA single, 200 \S+ 120 \S+ 24 mm", written.sheet)
+    assert "its length of 200 mm along" in written.sheet
