@@ -464,11 +464,11 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     from insole_core.evaluation.marked_points import load_correspondences, load_object_points
     from insole_core.foot.landmarks import find_landmarks
     from insole_core.geometry.side import Side
+    from insole_core.insole.clinic_rules import load_rules
     from insole_core.insole.forms.form_file import read_form
     from insole_core.insole.prescription.device import read_device
     from insole_core.insole.prescription.materials import read_materials
     from insole_core.insole.prescription.template import apply_template, read_template
-    from insole_core.insole.warnings.clinic_rules import load_rules
     from insole_core.solids.export_rules import read_rules
     from insole_core.solids.shop import read_shop
     from insole_core.workflows.finding_file import read_findings

@@ -11,8 +11,9 @@ from insole_core.formats.solid_content import SolidPart
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.prescription.materials import MaterialTable
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.checks import Finding, check_solid

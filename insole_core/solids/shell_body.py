@@ -9,14 +9,14 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
-from insole_core.insole.elements import Rocker
+from insole_core.insole.elements.rocker import LEAST_LEFT_MM
 from insole_core.insole.outline.shoe_last import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import material_of
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
 from insole_core.insole.primitives.height_field import HeightField
-from insole_core.insole.surface.rocker import LEAST_LEFT_MM, eased, rocker_heights_mm
+from insole_core.insole.surface.rocker import eased, rocker_heights_mm
 from insole_core.solids.ball_offset import PITCH_MM, parallel_below
 from insole_core.solids.front_edge import behind_front_mm
 from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside
@@ -75,7 +75,7 @@ class BodyPlan:
         field, design, length_mm = insole.contact, insole.design, insole.foot.length_mm
         ground = np.zeros_like(field.heights_mm)
         ground += last_heights_mm(design, field.y_mm, length_mm)[:, None]
-        rise = rocker_heights_mm(design, insole.foot, field) if design.of(Rocker) else None
+        rise = rocker_heights_mm(design, insole.foot, field)
         shell = design.shell
         if shell is None:
             return cls(design, ground, rise, np.ones_like(ground), ())

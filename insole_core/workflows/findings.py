@@ -16,7 +16,7 @@ from insole_core.errors import InputError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction, HeelCup, Pelott, new_id
-from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
 from insole_core.insole.prescription.finish import Finish

@@ -14,8 +14,7 @@ from insole_core.insole.elements import (
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.item_name import checked_name, key_of
 from insole_core.insole.prescription.rim_sliders import (
-    cup_depth_mm,
-    finish_with_cups,
+    designed_cup_mm,
     medial_flange_mm,
 )
 from insole_core.insole.prescription.shell import Post
@@ -105,7 +104,7 @@ def _rim(design: InsoleDesign) -> dict[str, float | None]:
     if design.finish is None:
         return {}
     return {
-        "cup_mm": cup_depth_mm(finish_with_cups(design.finish, design.of(HeelCup))),
+        "cup_mm": designed_cup_mm(design),
         "medial_flange_mm": medial_flange_mm(design.finish),
         "arch_fill_mm": design.finish.arch_fill_mm,
     }

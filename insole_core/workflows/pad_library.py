@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pelott import LONGEST_KIND, PAD_SHAPES
+from insole_core.insole.elements.pad_places import PLACES
 from insole_core.insole.fields import ranges_of
-from insole_core.insole.pads.pad_places import PLACES
+from insole_core.insole.pads.pad_form import LONGEST_KIND, PAD_SHAPES
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 

@@ -24,9 +24,9 @@ from insole_core.export.paper import paper_texts
 from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import CORRECTION_TYPES, HeelSkive, Pelott
-from insole_core.insole.elements.pad_kinds import PAD_NAMES
-from insole_core.insole.elements.pelott import PAD_SHAPES
 from insole_core.insole.fields import Choice, Declared, Number, declared
+from insole_core.insole.pads.pad_form import PAD_SHAPES
+from insole_core.insole.pads.pad_kinds import PAD_NAMES
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences

@@ -12,7 +12,6 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.insole.elements import HeelCup
 from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
@@ -20,7 +19,7 @@ from insole_core.insole.finishing.toe_line import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
-from insole_core.insole.prescription.rim_sliders import finish_with_cups
+from insole_core.insole.prescription.rim_sliders import finish_of
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 
@@ -82,9 +81,10 @@ class RimModel(QObject):
         A heel cup among the corrections sets the stations round the heel.
         """
         rim, design = self.rim, self._case.shown.design
-        if rim is None or design is None or design.finish is None:
+        finish = None if design is None else finish_of(design)
+        if rim is None or finish is None:
             return None
-        stations = finish_with_cups(design.finish, design.of(HeelCup)).rim
+        stations = finish.rim
         if self._curve_of != (rim, stations):
             self._curve_of = rim, stations
             self._curve = self._built_curve(stations) or _curve_through(rim, stations)

@@ -7,15 +7,19 @@ type, and general code reads, limits, shows, prints, compares, mirrors and appli
 from __future__ import annotations
 
 import uuid
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import ClassVar, Self, TypeVar
 
 import numpy as np
 
+from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.side import Side
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.fields import Line, Part, Place, Spot, declared
+from insole_core.insole.grips import Grip, Pull
+from insole_core.insole.judged import Judged
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.messages import Message
 
@@ -83,6 +87,8 @@ class Correction(Part):
     the order of the design) or "body" (what is made below)."""
     order: ClassVar[int] = 0
     """Its place among those of its stage, whatever their order in the design."""
+    is_seen: ClassVar[bool] = False
+    """Whether its lines are drawn while it is not selected too, and a click on them selects it."""
 
     id: str = field(default_factory=new_id)
     enabled: bool = True
@@ -116,6 +122,10 @@ class Correction(Part):
         """Return it without what is of one foot alone: its maker and its place."""
         return replace(self, id=new_id(), author="", created_at="")
 
+    def copied(self) -> Self:
+        """Return a copy for the same foot."""
+        return replace(self, id=new_id())
+
     def brief(self) -> Message:
         """Return the values that tell it in a list."""
         raise NotImplementedError
@@ -137,6 +147,11 @@ class Correction(Part):
         """Return the heights (ny, nx), mm, of a sole that one of the stage "sole" shapes."""
         raised = self.raised_mm(sole.surface.y_mm / sole.length_mm)
         return np.asarray(sole.surface.heights_mm + raised[:, None])
+
+    @property
+    def rim_depth_mm(self) -> float | None:
+        """The depth that it gives a heel cup, also that of a designed rim; None if it says none."""
+        return None
 
     @property
     def spreads(self) -> bool:
@@ -161,6 +176,50 @@ class Correction(Part):
     def turns_rim(self) -> bool:
         """Whether one of the stage "turn" turns the whole surface, and not the sole alone."""
         return True
+
+    def rise_mm(self, foot: Foot, field: HeightField) -> FloatArray:
+        """Return by how much one of the stage "body" asks the underside to rise, (ny, nx), mm."""
+        raise NotImplementedError
+
+    @classmethod
+    def rule(cls, mine: Sequence[Self], judged: Judged) -> Iterator[DesignWarning]:
+        """Check all active ones of this type against the clinic's limits.
+
+        Parameters
+        ----------
+        mine
+            In the order of the design; none if the design has none.
+        """
+        yield from ()
+
+    def lines(self, foot: Foot) -> tuple[FloatArray, ...]:
+        """Return the lines (n, 2), mm, insole frame, that are drawn while it is selected."""
+        return ()
+
+    def grips(self, foot: Foot) -> tuple[Grip, ...]:
+        """Return where it can be grabbed while it is selected."""
+        return ()
+
+    @property
+    def has_grips(self) -> bool:
+        """Whether it can be grabbed at all."""
+        return type(self).grips is not Correction.grips
+
+    def pulled(self, grip: str, pull: Pull, foot: Foot) -> Self:
+        """Return it as it becomes when one of its grips is pulled."""
+        raise NotImplementedError
+
+    def settled(self, heads_mm: FloatArray, behind_heads_mm: float) -> Self:
+        """Return it as moved by the hand, drawn to a usual place that is near.
+
+        Parameters
+        ----------
+        heads_mm : (3, 2)
+            Metatarsal heads 2 to 4, insole frame.
+        behind_heads_mm
+            The usual distance of a pad's front edge behind them, by the clinic's rules.
+        """
+        return self
 
     def turned_by(self, yaw_deg: float) -> Correction:
         """Return it as it lies on a foot that was turned, its places left as they are."""

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Self
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements.correction import Correction
 from insole_core.insole.elements.words import mm_message
 from insole_core.insole.fields import Number, Share
+from insole_core.insole.judged import SHOWN, Judged
 from insole_core.insole.primitives.blending import smooth_step
 from insole_core.messages import Message
 
@@ -44,6 +48,20 @@ class FullLift(Correction):
         to_heads = (1 - self.heads_share) * smooth_step(share, _HEEL, _HEADS)
         to_toes = self.heads_share * smooth_step(share, _HEADS, _TOES)
         return np.asarray(self.height_mm * (1 - to_heads - to_toes))
+
+    @classmethod
+    def rule(cls, mine: Sequence[Self], judged: Judged) -> Iterator[DesignWarning]:
+        """Warn of a ball that is lifted too high for a shoe, with all that lifts it."""
+        height_mm = rounded(judged.lifted_mm(_HEADS), SHOWN)
+        usual_mm = judged.rules.greatest_ball_lift_mm
+        if mine and height_mm > usual_mm:
+            lifted = Message(
+                "The ball is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are "
+                "usual.",
+                height_mm=height_mm,
+                usual_mm=usual_mm,
+            )
+            yield DesignWarning(lifted, mine[-1].id)
 
     def brief(self) -> Message:
         """Return its height."""

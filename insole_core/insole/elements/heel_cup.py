@@ -49,6 +49,11 @@ class HeelCup(Correction):
         OfLength("Ends at", "Share of the foot's length at which the cup ends", after="fade_start"),
     ] = 0.45
 
+    @property
+    def rim_depth_mm(self) -> float:
+        """Its depth."""
+        return self.depth_mm
+
     def shaped(self, sole: Sole) -> FloatArray:
         """Bring the rim of the heel to the depth, unless a designed rim does.
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Self
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements.correction import Correction
 from insole_core.insole.elements.words import mm_message
 from insole_core.insole.fields import Number, OfLength
+from insole_core.insole.judged import SHOWN, Judged
 from insole_core.insole.primitives.blending import smooth_step
 from insole_core.messages import Message
 
@@ -44,6 +48,21 @@ class HeelLift(Correction):
     def raised_mm(self, share: FloatArray) -> FloatArray:
         """Return by how much it raises the sections at shares (n,) of the length."""
         return np.asarray(self.height_mm * (1 - smooth_step(share, self.fade_start, self.fade_end)))
+
+    @classmethod
+    def rule(cls, mine: Sequence[Self], judged: Judged) -> Iterator[DesignWarning]:
+        """Warn of a heel that is lifted too high, with all that lifts it."""
+        height_mm = rounded(judged.lifted_mm(0.0), SHOWN)
+        usual_mm = judged.rules.greatest_heel_lift_mm
+        # A full-length lift without a heel lift is what a greater height is made by.
+        if mine and height_mm > usual_mm:
+            lifted = Message(
+                "The heel is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are "
+                "usual.",
+                height_mm=height_mm,
+                usual_mm=usual_mm,
+            )
+            yield DesignWarning(lifted, mine[-1].id)
 
     def brief(self) -> Message:
         """Return its height."""

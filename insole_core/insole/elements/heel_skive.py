@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Self
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.rounding import rounded
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements.correction import Correction, Sole
 from insole_core.insole.elements.words import mm_message
 from insole_core.insole.fields import Angle, Choice, Number
+from insole_core.insole.judged import SHOWN, Judged
 from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
 from insole_core.insole.primitives.heel_rows import HEEL_SHARE, rows_up_to
 from insole_core.messages import Message
@@ -66,6 +70,25 @@ class HeelSkive(Correction):
         changed = field.heights_mm.copy()
         changed[rows] += np.minimum(rise, self.depth_mm) * fade[:, None]
         return changed
+
+    @classmethod
+    def rule(cls, mine: Sequence[Self], judged: Judged) -> Iterator[DesignWarning]:
+        """Warn of a cup that is too shallow for a skive and the inversion."""
+        rules, inversion = judged.rules, max(rounded(judged.posted_deg[0], SHOWN), 0.0)
+        for skive in mine:
+            both = rounded(skive.depth_mm + inversion, SHOWN)
+            deep = both > rules.skive_and_inversion_limit
+            needed = rules.skive_and_inversion_cup_mm if deep else rules.skive_least_cup_mm
+            if judged.cup_mm < needed:
+                shallow = Message(
+                    "A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of "
+                    "{needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.",
+                    depth_mm=skive.depth_mm,
+                    angle=inversion,
+                    needed_mm=needed,
+                    cup_mm=judged.cup_mm,
+                )
+                yield DesignWarning(shallow, skive.id)
 
     def brief(self) -> Message:
         """Return its border and depth."""

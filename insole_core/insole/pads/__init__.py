@@ -1,4 +1,4 @@
-"""Pads: their shapes, places and heights.
+"""Pads by themselves: their values, shapes and heights, where they are grabbed, what is unusual.
 
-``pad_shapes.local_outline``, ``pad_places.placed_pad``, ``pad_heights.pad_heights``.
+``pad_form.PadForm``, ``pad_shapes.local_outline``, ``pad_heights.pad_heights``.
 """

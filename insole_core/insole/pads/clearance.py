@@ -8,8 +8,10 @@ import numpy as np
 
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.elements import Pelott
+from insole_core.insole.pads.pad_form import PadForm
 from insole_core.insole.pads.pad_heights import pad_outline
+
+_SNAP_MM = 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +34,7 @@ class Clearance:
     distance_mm: float
 
 
-def clearance(pad: Pelott, line: FloatArray) -> Clearance:
+def clearance(pad: PadForm, line: FloatArray) -> Clearance:
     """Measure a pad against the line of metatarsal heads 2 to 4.
 
     Parameters
@@ -53,7 +55,22 @@ def clearance(pad: Pelott, line: FloatArray) -> Clearance:
     return Clearance(line, front, front + distance * ahead, distance)
 
 
-def behind_heads_mm(pad: Pelott, landmarks: Landmarks) -> float:
+def snapped_mm(pad: PadForm, line: FloatArray, behind_heads_mm: float) -> FloatArray | None:
+    """Return the way (2,) to a distance behind the heads; None if the pad is not almost there.
+
+    Parameters
+    ----------
+    line : (3, 2) float64, mm, insole frame
+        Heads 2 to 4.
+    """
+    found = clearance(pad, line)
+    excess_mm = found.distance_mm - behind_heads_mm
+    if abs(excess_mm) > _SNAP_MM:
+        return None
+    return excess_mm * (found.nearest - found.front) / (found.distance_mm or 1.0)
+
+
+def behind_heads_mm(pad: PadForm, landmarks: Landmarks) -> float:
     """Return how far a pad's front edge lies behind the line of heads 2 to 4; < 0 in front of it.
 
     To snap a pad, move it ahead by the excess of this over the wanted distance.

@@ -13,8 +13,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pelott import DOMED
+from insole_core.insole.pads.pad_form import DOMED, PadForm
 from insole_core.insole.pads.pad_shapes import is_seen_whole, local_outline, pad2insole
 from insole_core.insole.primitives.blending import smooth_step
 from insole_core.memo import Memo
@@ -27,6 +26,7 @@ _DEPTH_CELLS = 160
 _ROUNDING = 0.05  # of the greatest depth: scale over which the creases of the depth are rounded
 _AROUND = 1.25  # reach of the grid relative to the outline: its edge must not affect the rounding
 _OUTLINE_PITCH = 0.2  # of a cell
+_DRAWN_POINTS = 120
 
 _fields = Memo(16)
 """Distance fields and polar forms by outline, so that moving and turning a pad is cheap.
@@ -35,7 +35,7 @@ They depend on a pad's shape only and are shared by all cases; at most 6 MB.
 """
 
 
-def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
+def pad_outline(pad: PadForm, points: int | None = None) -> FloatArray:
     """Return the outline of a pad, counter-clockwise, the first point not repeated.
 
     Parameters
@@ -53,7 +53,13 @@ def pad_outline(pad: Pelott, points: int | None = None) -> FloatArray:
     return np.asarray(outline @ pad2insole(pad).T + np.array(pad.centre_mm))
 
 
-def pad_heights(pad: Pelott, xy: FloatArray) -> FloatArray:
+def closed_outline(pad: PadForm) -> FloatArray:
+    """Return the outline of a pad to be drawn, (n, 2), mm, its first point repeated."""
+    around = pad_outline(pad, _DRAWN_POINTS)
+    return np.concatenate([around, around[:1]])
+
+
+def pad_heights(pad: PadForm, xy: FloatArray) -> FloatArray:
     """Compute the height that a pad adds at points of the surface.
 
     Parameters
@@ -72,14 +78,14 @@ def pad_heights(pad: Pelott, xy: FloatArray) -> FloatArray:
     return np.asarray(pad.height_mm * _dome(pad, local) * window(pad, local))
 
 
-def _to_pad(pad: Pelott, xy: FloatArray) -> FloatArray:
+def _to_pad(pad: PadForm, xy: FloatArray) -> FloatArray:
     """Transform from insole to pad frame, spelled out for the same bits in an array of any size."""
     (a, b), (c, d) = pad2insole(pad)
     x, y = xy[..., 0] - pad.centre_mm[0], xy[..., 1] - pad.centre_mm[1]
     return np.stack([x * a + y * c, x * b + y * d], axis=-1)
 
 
-def _dome(pad: Pelott, local: FloatArray) -> FloatArray:
+def _dome(pad: PadForm, local: FloatArray) -> FloatArray:
     """Evaluate the Gaussian of (25), 1 at the apex."""
     if pad.sigma_mm is None:
         sigma = np.ptp(local_outline(pad), axis=0) / 2
@@ -89,7 +95,7 @@ def _dome(pad: Pelott, local: FloatArray) -> FloatArray:
     return np.asarray(np.exp(-0.5 * (x * x + y * y)))
 
 
-def _radial_window(pad: Pelott, local: FloatArray) -> FloatArray:
+def _radial_window(pad: PadForm, local: FloatArray) -> FloatArray:
     """Return a window along rays from the apex: 1 around it, 0 from the outline on."""
     outline = local_outline(pad)
     angle, radius = _fields.get("polar", outline.tobytes(), lambda: _polar_outline(outline))
@@ -112,7 +118,7 @@ def _polar_outline(outline: FloatArray) -> tuple[FloatArray, FloatArray]:
     return angle, np.concatenate([radius[-1:], radius, radius[:1]])
 
 
-def _edge_window(pad: Pelott, local: FloatArray) -> FloatArray:
+def _edge_window(pad: PadForm, local: FloatArray) -> FloatArray:
     """Return a window by the distance from the outline: 1 deep inside, 0 from the outline on."""
     outline = local_outline(pad)
     depth = _fields.get("depth", outline.tobytes(), lambda: _depth(outline))

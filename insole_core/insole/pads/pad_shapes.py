@@ -7,16 +7,18 @@ are data (resources/pads/library.json); shapes are code, so that a prescription 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.elements import Pelott
 from insole_core.insole.fields import Place
 from insole_core.insole.pads.egg_curve import egg_curve
+from insole_core.insole.pads.pad_form import PadForm
 from insole_core.insole.primitives.outline_curve import closed_curve
 from insole_core.memo import Memo
 
+_Pad = TypeVar("_Pad", bound=PadForm)
 _DROP_RATIO = 0.9
 _SUPPORT_FLAT, _SUPPORT_ROUND = 0.35, 0.65  # shares of the width on both sides of the apex
 _LEG_SHARE = 0.3  # breadth of a horseshoe's leg relative to the width
@@ -27,14 +29,14 @@ _outlines = Memo(64)
 """Outlines by shape and size, shared by all cases; 23 kB each."""
 
 
-def local_outline(pad: Pelott) -> FloatArray:
+def local_outline(pad: PadForm) -> FloatArray:
     """Return the outline (n, 2) in the pad frame, mm; shared and read-only."""
     ratio = {"egg": pad.egg_ratio, "drop": _DROP_RATIO}.get(pad.shape, 0.0)
     key = pad.shape, pad.length_mm, pad.width_mm, ratio, pad.outline_mm
     return _outlines.get("outline", key, lambda: _outline(*key))
 
 
-def pad_size(pad: Pelott) -> tuple[float, float]:
+def pad_size(pad: PadForm) -> tuple[float, float]:
     """Return length and width of the outline before it is turned, mm."""
     if pad.outline_mm is None:
         return pad.length_mm, pad.width_mm
@@ -42,7 +44,7 @@ def pad_size(pad: Pelott) -> tuple[float, float]:
     return float(length), float(width)
 
 
-def resized(pad: Pelott, length_mm: float, width_mm: float) -> Pelott:
+def resized(pad: _Pad, length_mm: float, width_mm: float) -> _Pad:
     """Return the pad with another length and width; a free outline is stretched about its apex."""
     if pad.outline_mm is None:
         return replace(pad, length_mm=length_mm, width_mm=width_mm)
@@ -51,13 +53,13 @@ def resized(pad: Pelott, length_mm: float, width_mm: float) -> Pelott:
     return replace(pad, outline_mm=tuple((x * across, y * along) for x, y in pad.outline_mm))
 
 
-def pad2insole(pad: Pelott) -> FloatArray:
+def pad2insole(pad: PadForm) -> FloatArray:
     """Return the (2, 2) rotation from pad to insole frame."""
     angle = np.radians(pad.turn_deg)
     return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 
 
-def is_seen_whole(pad: Pelott) -> bool:
+def is_seen_whole(pad: PadForm) -> bool:
     """Return whether every ray from the apex meets the outline once."""
     x, y = local_outline(pad).T
     turn = x * np.roll(y, -1) - y * np.roll(x, -1)

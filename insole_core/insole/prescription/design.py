@@ -148,6 +148,12 @@ class InsoleDesign(Part):
             corrections=tuple(correction if c.id == correction.id else c for c in self.corrections),
         )
 
+    def with_set(self, correction: Correction) -> InsoleDesign:
+        """Return the design with a correction added, or in place of the one with the same id."""
+        if self.correction(correction.id) is None:
+            return self.with_added(correction)
+        return self.with_changed(correction)
+
     def with_removed(self, correction_id: str) -> InsoleDesign:
         """Return the design without the correction with this id."""
         kept = tuple(c for c in self.corrections if c.id != correction_id)

@@ -10,15 +10,14 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any, TypeAlias
 
-from insole_core.insole.elements import Correction, HeelCup
+from insole_core.insole.elements import Correction
 from insole_core.insole.elements.words import number_message, worded
 from insole_core.insole.fields import Choice, Declared, Line, Number, Part, declared
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import RimStation
 from insole_core.insole.prescription.rim_sliders import (
-    cup_depth_mm,
-    finish_with_cups,
+    designed_cup_mm,
     medial_flange_mm,
 )
 from insole_core.insole.prescription.shell import Post
@@ -121,7 +120,7 @@ def _finish_values(design: InsoleDesign) -> dict[_Key, _Told]:
     if finish is None:
         return {}
     stations = sorted(finish.rim, key=lambda station: station.along)
-    cup_mm = cup_depth_mm(finish_with_cups(finish, design.of(HeelCup)))
+    cup_mm = designed_cup_mm(design)
     return {
         ("finish", "cup_mm"): _Told(cup_mm, _MM),
         ("finish", "medial_flange_mm"): _Told(medial_flange_mm(finish), _MM),

@@ -2,7 +2,7 @@
 
 The ranges of its values are declared beside them (`insole_core.insole.fields`): wide, what devices
 and workshops can do. What is usual or advisable is a matter of the clinic's own rules
-(`insole_core.insole.warnings.clinic_rules`).
+(`insole_core.insole.warnings.design_warnings`).
 """
 
 from __future__ import annotations

@@ -5,10 +5,11 @@ Only stations over the heel's floor count; those over the toe zone or the foot s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
+from functools import reduce
 
-from insole_core.insole.elements import HeelCup
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import HEADS_ALONG, Finish, RimStation
 
 _CUP_ALONG, _CUP_FADE = 0.2, 0.4
@@ -37,14 +38,28 @@ def with_cup_depth(finish: Finish, depth_mm: float) -> Finish:
     return _moved(finish, depth_mm - old_mm, _cup_weight)
 
 
-def finish_with_cups(finish: Finish, cups: Iterable[HeelCup]) -> Finish:
-    """Set the heel cup of a finish to the depth of the last of the active heel cups.
+def finish_of(design: InsoleDesign) -> Finish | None:
+    """Return the finish of a design, its heel cup as deep as the last active heel cup says.
 
     So a heel cup means the same with a designed rim as without: the depth that the cup gets.
     """
-    for cup in cups:
-        finish = with_cup_depth(finish, cup.depth_mm)
-    return finish
+    if design.finish is None:
+        return None
+    return reduce(with_cup_depth, _cups_mm(design), design.finish)
+
+
+def designed_cup_mm(design: InsoleDesign) -> float | None:
+    """Return the depth of a design's heel cup; None if only the foot says it.
+
+    Without a designed rim each heel cup lowers what the others leave, so that the least holds.
+    """
+    finish = finish_of(design)
+    return min(_cups_mm(design), default=None) if finish is None else cup_depth_mm(finish)
+
+
+def _cups_mm(design: InsoleDesign) -> tuple[float, ...]:
+    depths = (correction.rim_depth_mm for correction in design.active)
+    return tuple(depth_mm for depth_mm in depths if depth_mm is not None)
 
 
 def medial_flange_mm(finish: Finish) -> float | None:

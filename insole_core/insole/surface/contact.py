@@ -16,7 +16,6 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
-from insole_core.insole.elements import HeelCup
 from insole_core.insole.elements.correction import Sole
 from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface, finished
@@ -25,7 +24,7 @@ from insole_core.insole.outline.insole_outline import insole_outline, outline_re
 from insole_core.insole.outline.shoe_last import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish
-from insole_core.insole.prescription.rim_sliders import finish_with_cups
+from insole_core.insole.prescription.rim_sliders import finish_of
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.heel_rim import RimBand, rim_band
 from insole_core.insole.surface.inpainting import fill
@@ -149,13 +148,13 @@ def contact_base(foot: Foot, design: InsoleDesign, progress: Progress = SILENT) 
             beside_mm=partial(_beside_mm, foot, design, sole),
         )
         surface = replace(surface, heights_mm=correction.shaped(on))
-    finish = None
-    if design.finish is not None:
+    finish, asked = None, _finish_of(design)
+    if asked is not None:
         progress.step(0.85, "Finishing rim and toe zone")
         finish = finished(
             foot,
             design,
-            _finish_of(design.finish, design),
+            asked,
             sole=level,
             contact=surface,
             measured=sole.measured,
@@ -176,15 +175,17 @@ def with_rim(base: ContactBase, foot: Foot, design: InsoleDesign) -> ContactBase
     DesignError
         If stations of the rim contradict each other.
     """
-    if base.finished is None or design.finish is None:
+    finish = _finish_of(design)
+    if base.finished is None or finish is None:
         return base
-    moved = base.finished.with_rim(_finish_of(design.finish, design).rim)
+    moved = base.finished.with_rim(finish.rim)
     return replace(base, surface=_raised(moved.surface, foot, design), finished=moved)
 
 
-def _finish_of(finish: Finish, design: InsoleDesign) -> Finish:
+def _finish_of(design: InsoleDesign) -> Finish | None:
     """Return a design's finish as its base and its heel cups change it."""
-    return finish_on_base(finish_with_cups(finish, design.of(HeelCup)), design.base)
+    finish = finish_of(design)
+    return None if finish is None else finish_on_base(finish, design.base)
 
 
 def _raised(surface: HeightField, foot: Foot, design: InsoleDesign) -> HeightField:

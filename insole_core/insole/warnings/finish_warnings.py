@@ -8,6 +8,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.build import Insole
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import Pelott
 from insole_core.insole.fields import Place
 from insole_core.insole.finishing.blend_widths import STEEPEST_DEG
@@ -16,7 +17,6 @@ from insole_core.insole.outline.insole_outline import outline_reach
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.finish import HEADS_ALONG
 from insole_core.insole.primitives.outline_curve import inside_curve
-from insole_core.insole.warnings.design_warning import DesignWarning
 from insole_core.messages import Message
 
 _SHOWN_WIDENING_MM, _SHOWN_NARROWING_MM, _SHOWN_FREE_MM = 5.0, 0.5, 1.0

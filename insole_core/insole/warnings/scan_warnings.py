@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from insole_core.foot.contact_tilt import contact_tilt
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.build import Insole
-from insole_core.insole.warnings.design_warning import DesignWarning
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.messages import Message
 
 LEVEL_DEG = 1.5

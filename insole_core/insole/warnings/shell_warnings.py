@@ -10,6 +10,7 @@ from insole_core.errors import DesignError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import Pelott
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.shoe_last import last_heights_mm
@@ -19,7 +20,6 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import Material, MaterialTable, material_of
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
 from insole_core.insole.primitives.outline_curve import inside_curve
-from insole_core.insole.warnings.design_warning import DesignWarning
 from insole_core.messages import Message, joined
 
 _CUT_SHARE = 0.03  # of the points on a pad's outline that lie ahead of the trim line

@@ -12,12 +12,12 @@ from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import Pelott
 from insole_core.insole.outline.insole_outline import insole_outline, shoe_inside
 from insole_core.insole.outline.shoe_fit import fit_in
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.warnings.design_warning import DesignWarning
 from insole_core.messages import Message
 
 _TIGHT_MM = 5.0

@@ -596,6 +596,10 @@
             <translation>Fas</translation>
         </message>
         <message>
+            <source>Change the outline of the pad</source>
+            <translation>Ändra pelottens kontur</translation>
+        </message>
+        <message>
             <source>Changed: {correction}, {before} → {after}</source>
             <translation>Ändrat: {correction}, {before} → {after}</translation>
         </message>
@@ -870,6 +874,42 @@
         <message>
             <source>Draft of the walls</source>
             <translation>Väggarnas släppning</translation>
+        </message>
+        <message>
+            <source>Drag to change the outline</source>
+            <translation>Dra för att ändra konturen</translation>
+        </message>
+        <message>
+            <source>Drag to make it longer or shorter</source>
+            <translation>Dra för att göra den längre eller kortare</translation>
+        </message>
+        <message>
+            <source>Drag to make it wider or narrower</source>
+            <translation>Dra för att göra den bredare eller smalare</translation>
+        </message>
+        <message>
+            <source>Drag to move the line from which the underside rises</source>
+            <translation>Dra för att flytta linjen där undersidan börjar stiga</translation>
+        </message>
+        <message>
+            <source>Drag to move the pad</source>
+            <translation>Dra för att flytta pelotten</translation>
+        </message>
+        <message>
+            <source>Drag to turn the pad</source>
+            <translation>Dra för att vrida pelotten</translation>
+        </message>
+        <message>
+            <source>Drag up or down to change the forefoot angle</source>
+            <translation>Dra upp eller ned för att ändra framfotens vinkel</translation>
+        </message>
+        <message>
+            <source>Drag up or down to change the rearfoot angle</source>
+            <translation>Dra upp eller ned för att ändra bakfotens vinkel</translation>
+        </message>
+        <message>
+            <source>Drag up to raise the pad, down to lower it</source>
+            <translation>Dra uppåt för att höja pelotten, nedåt för att sänka</translation>
         </message>
         <message>
             <source>Drawing the difference</source>
@@ -1732,6 +1772,14 @@
             <translation>Mortons neurom, hammartår</translation>
         </message>
         <message>
+            <source>Move the pad</source>
+            <translation>Flytta pelotten</translation>
+        </message>
+        <message>
+            <source>Move the rocker line</source>
+            <translation>Flytta rullsulans linje</translation>
+        </message>
+        <message>
             <source>Moved or reshaped: {correction}</source>
             <translation>Flyttat eller omformat: {correction}</translation>
         </message>
@@ -2188,6 +2236,10 @@
             <translation>Höj det mediala fotvalvet kring dess högsta punkt</translation>
         </message>
         <message>
+            <source>Raise the pad</source>
+            <translation>Höj pelotten</translation>
+        </message>
+        <message>
             <source>Raise the whole heel</source>
             <translation>Höj hela hälen</translation>
         </message>
@@ -2596,6 +2648,10 @@
             <translation>Styrka</translation>
         </message>
         <message>
+            <source>Stretch the pad</source>
+            <translation>Sträck pelotten</translation>
+        </message>
+        <message>
             <source>SureFit; orthoscan</source>
             <translation>SureFit; orthoscan</translation>
         </message>
@@ -2730,6 +2786,10 @@
         <message>
             <source>The backup {name} comes from a newer Insole Studio; install the newest version.</source>
             <translation>Säkerhetskopian {name} kommer från en nyare Insole Studio; installera den senaste versionen.</translation>
+        </message>
+        <message>
+            <source>The ball is lifted by {height_mm:g} mm; on the device up to {usual_mm:g} mm are usual.</source>
+            <translation>Trampdynan är höjd {height_mm:g} mm; på inlägget är upp till {usual_mm:g} mm vanligt.</translation>
         </message>
         <message>
             <source>The birth date {born} is not that of the personal number, {of_number}; correct one of them.</source>
@@ -4088,6 +4148,14 @@
             <translation>Luta bak- och framfot i grader, mot pronation eller supination</translation>
         </message>
         <message>
+            <source>Tilt the forefoot</source>
+            <translation>Luta framfoten</translation>
+        </message>
+        <message>
+            <source>Tilt the rearfoot</source>
+            <translation>Luta bakfoten</translation>
+        </message>
+        <message>
             <source>Tilting the sensor for view {view}</source>
             <translation>Lutar sensorn för vy {view}</translation>
         </message>
@@ -4174,6 +4242,10 @@
         <message>
             <source>Turn the forefoot against the rearfoot</source>
             <translation>Vrid framfoten mot bakfoten</translation>
+        </message>
+        <message>
+            <source>Turn the pad</source>
+            <translation>Vrid pelotten</translation>
         </message>
         <message>
             <source>Turned about</source>
@@ -4358,6 +4430,10 @@
         <message>
             <source>Where each part lies</source>
             <translation>Var varje del ligger</translation>
+        </message>
+        <message>
+            <source>Widen the pad</source>
+            <translation>Bredda pelotten</translation>
         </message>
         <message>
             <source>Widening of heel and lateral border: soft tissue spreads in stance</source>

@@ -120,20 +120,12 @@
             <translation>Dra en kantpunkt för att forma kanten; dubbelklick lägger till en, Delete tar bort den</translation>
         </message>
         <message>
-            <source>Drag the handle to move the rocker line, drag beside it to turn the view</source>
-            <translation>Dra i handtaget för att flytta rullsulans linje, dra bredvid för att rotera vyn</translation>
-        </message>
-        <message>
             <source>Drag to move the front edge of the shell</source>
             <translation>Dra för att flytta skalets framkant</translation>
         </message>
         <message>
             <source>Drag to move the line at which the toe zone begins</source>
             <translation>Dra för att flytta linjen där tåzonen börjar</translation>
-        </message>
-        <message>
-            <source>Drag to move the line from which the underside rises</source>
-            <translation>Dra för att flytta linjen där undersidan börjar stiga</translation>
         </message>
         <message>
             <source>Drag to raise the rim here, or to move the station along the edge</source>
@@ -274,10 +266,6 @@
         <message>
             <source>Move a station of the rim</source>
             <translation>Flytta en kantpunkt</translation>
-        </message>
-        <message>
-            <source>Move the rocker line</source>
-            <translation>Flytta rullsulans linje</translation>
         </message>
         <message>
             <source>Move the toe line</source>

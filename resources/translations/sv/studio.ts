@@ -192,10 +192,6 @@
             <translation>Ändra korrigeringarnas ordning</translation>
         </message>
         <message>
-            <source>Change the outline of the pad</source>
-            <translation>Ändra pelottens kontur</translation>
-        </message>
-        <message>
             <source>Check &amp; export</source>
             <translation>Kontroll &amp; export</translation>
         </message>
@@ -336,14 +332,6 @@
             <translation>Dorsalt</translation>
         </message>
         <message>
-            <source>Drag a handle to change the arch, drag beside it to turn the view</source>
-            <translation>Dra i ett handtag för att ändra fotvalvet, dra bredvid för att rotera vyn</translation>
-        </message>
-        <message>
-            <source>Drag a handle to change the pelott, drag beside it to turn the view</source>
-            <translation>Dra ett handtag för att ändra pelotten, dra bredvid för att rotera vyn</translation>
-        </message>
-        <message>
             <source>Drag a landmark to its place; a click marks a point, a double click writes on it</source>
             <translation>Dra ett landmärke på plats; klicka för att märka en punkt, dubbelklicka för att skriva på den</translation>
         </message>
@@ -376,22 +364,6 @@
             <translation>Dra mitten upp eller ned för att höja planet, dess ändar för att vrida det</translation>
         </message>
         <message>
-            <source>Drag to change the outline</source>
-            <translation>Dra för att ändra konturen</translation>
-        </message>
-        <message>
-            <source>Drag to make it longer or shorter</source>
-            <translation>Dra för att göra den längre eller kortare</translation>
-        </message>
-        <message>
-            <source>Drag to make it wider or narrower</source>
-            <translation>Dra för att göra den bredare eller smalare</translation>
-        </message>
-        <message>
-            <source>Drag to move the pad</source>
-            <translation>Dra för att flytta pelotten</translation>
-        </message>
-        <message>
             <source>Drag to move the section</source>
             <translation>Dra för att flytta snittet</translation>
         </message>
@@ -400,24 +372,12 @@
             <translation>Dra för att flytta, handtag för att sträcka, vrida och höja, hjul höjer 0,5 mm</translation>
         </message>
         <message>
-            <source>Drag to turn the pad</source>
-            <translation>Dra för att vrida pelotten</translation>
-        </message>
-        <message>
             <source>Drag to turn the section</source>
             <translation>Dra för att vrida snittet</translation>
         </message>
         <message>
             <source>Drag to turn, Shift and drag to move, wheel to zoom, double click to centre</source>
             <translation>Dra för att rotera, Skift och dra för att flytta, hjul för att zooma, dubbelklicka för att centrera</translation>
-        </message>
-        <message>
-            <source>Drag up or down to change the forefoot angle</source>
-            <translation>Dra upp eller ned för att ändra framfotens vinkel</translation>
-        </message>
-        <message>
-            <source>Drag up or down to change the rearfoot angle</source>
-            <translation>Dra upp eller ned för att ändra bakfotens vinkel</translation>
         </message>
         <message>
             <source>Drag up or down to raise or lower the plane</source>
@@ -430,10 +390,6 @@
         <message>
             <source>Drag up or down to tilt the toe end</source>
             <translation>Dra upp eller ned för att luta tåänden</translation>
-        </message>
-        <message>
-            <source>Drag up to raise the pad, down to lower it</source>
-            <translation>Dra uppåt för att höja pelotten, nedåt för att sänka</translation>
         </message>
         <message>
             <source>Draw a pad</source>
@@ -510,26 +466,6 @@
         <message>
             <source>Exported {name}</source>
             <translation>Exporterade {name}</translation>
-        </message>
-        <message>
-            <source>Filler, 1st toe</source>
-            <translation>Utfyllnad, första tån</translation>
-        </message>
-        <message>
-            <source>Filler, 2nd toe</source>
-            <translation>Utfyllnad, andra tån</translation>
-        </message>
-        <message>
-            <source>Filler, 3rd toe</source>
-            <translation>Utfyllnad, tredje tån</translation>
-        </message>
-        <message>
-            <source>Filler, 4th toe</source>
-            <translation>Utfyllnad, fjärde tån</translation>
-        </message>
-        <message>
-            <source>Filler, 5th toe</source>
-            <translation>Utfyllnad, femte tån</translation>
         </message>
         <message>
             <source>Find landmarks anew</source>
@@ -836,10 +772,6 @@
             <translation>Flytta ned</translation>
         </message>
         <message>
-            <source>Move the pad</source>
-            <translation>Flytta pelotten</translation>
-        </message>
-        <message>
             <source>Move up</source>
             <translation>Flytta upp</translation>
         </message>
@@ -1056,10 +988,6 @@
             <translation>HÖGER fot</translation>
         </message>
         <message>
-            <source>Raise the pad</source>
-            <translation>Höj pelotten</translation>
-        </message>
-        <message>
             <source>Raise with the brush</source>
             <translation>Höj med penseln</translation>
         </message>
@@ -1094,50 +1022,6 @@
         <message>
             <source>Relief under a toe</source>
             <translation>Avlastning under en tå</translation>
-        </message>
-        <message>
-            <source>Relief, 1st head</source>
-            <translation>Avlastning, första huvudet</translation>
-        </message>
-        <message>
-            <source>Relief, 1st toe</source>
-            <translation>Avlastning, första tån</translation>
-        </message>
-        <message>
-            <source>Relief, 2nd head</source>
-            <translation>Avlastning, andra huvudet</translation>
-        </message>
-        <message>
-            <source>Relief, 2nd toe</source>
-            <translation>Avlastning, andra tån</translation>
-        </message>
-        <message>
-            <source>Relief, 3rd head</source>
-            <translation>Avlastning, tredje huvudet</translation>
-        </message>
-        <message>
-            <source>Relief, 3rd toe</source>
-            <translation>Avlastning, tredje tån</translation>
-        </message>
-        <message>
-            <source>Relief, 4th head</source>
-            <translation>Avlastning, fjärde huvudet</translation>
-        </message>
-        <message>
-            <source>Relief, 4th toe</source>
-            <translation>Avlastning, fjärde tån</translation>
-        </message>
-        <message>
-            <source>Relief, 5th head</source>
-            <translation>Avlastning, femte huvudet</translation>
-        </message>
-        <message>
-            <source>Relief, 5th toe</source>
-            <translation>Avlastning, femte tån</translation>
-        </message>
-        <message>
-            <source>Relief, base of the 5th</source>
-            <translation>Avlastning, femte metatarsalbasen</translation>
         </message>
         <message>
             <source>Remove</source>
@@ -1336,10 +1220,6 @@
             <translation>Steg</translation>
         </message>
         <message>
-            <source>Stretch the pad</source>
-            <translation>Sträck pelotten</translation>
-        </message>
-        <message>
             <source>Surface</source>
             <translation>Yta</translation>
         </message>
@@ -1536,14 +1416,6 @@
             <translation>Luta +</translation>
         </message>
         <message>
-            <source>Tilt the forefoot</source>
-            <translation>Luta framfoten</translation>
-        </message>
-        <message>
-            <source>Tilt the rearfoot</source>
-            <translation>Luta bakfoten</translation>
-        </message>
-        <message>
             <source>Tilt the sensor down</source>
             <translation>Luta sensorn nedåt</translation>
         </message>
@@ -1590,10 +1462,6 @@
         <message>
             <source>Turn a sensor from the box into a measuring device</source>
             <translation>Gör en sensor ur kartongen till ett mätinstrument</translation>
-        </message>
-        <message>
-            <source>Turn the pad</source>
-            <translation>Vrid pelotten</translation>
         </message>
         <message>
             <source>Turn the reference plane</source>
@@ -1654,10 +1522,6 @@
         <message>
             <source>What was recovered of {name} and not saved will be gone for good.</source>
             <translation>Det som räddats av {name} och inte sparats försvinner för alltid.</translation>
-        </message>
-        <message>
-            <source>Widen the pad</source>
-            <translation>Bredda pelotten</translation>
         </message>
         <message>
             <source>Wireframe</source>
@@ -1786,6 +1650,10 @@
         <message>
             <source>{name} was not saved when Insole Studio ended last time. It is open again as it was on {time}.</source>
             <translation>{name} var inte sparat när Insole Studio senast avslutades. Det är öppet igen som det var {time}.</translation>
+        </message>
+        <message>
+            <source>{name}: drag a handle to change it, drag beside it to turn the view</source>
+            <translation>{name}: dra i ett handtag för att ändra, dra bredvid för att rotera vyn</translation>
         </message>
         <message>
             <source>{name}: what was changed on {time} is not in the record yet. It waits on this computer until the record takes it.</source>

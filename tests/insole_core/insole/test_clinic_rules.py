@@ -12,7 +12,10 @@ from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import find_landmarks, with_places
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import PronationStep, load_rules
+from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import (
+    CORRECTION_TYPES,
     ArchRaise,
     BrushStroke,
     FullLift,
@@ -21,14 +24,14 @@ from insole_core.insole.elements import (
     HeelSkive,
     Pelott,
     Posting,
+    correction,
 )
+from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.pads.clearance import behind_heads_mm
-from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.outline import Outline
-from insole_core.insole.prescription.pronation import PronationStep
 from insole_core.insole.prescription.rim_sliders import with_cup_depth
 from insole_core.insole.prescription.template import (
     Template,
@@ -39,7 +42,8 @@ from insole_core.insole.prescription.template import (
     write_template,
 )
 from insole_core.insole.primitives.outline_curve import crosses_itself, inside_curve
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
+from insole_core.messages import Message
 from insole_core.resources import resource_path
 from insole_core.workflows.pad_library import load_pads
 
@@ -72,6 +76,10 @@ def test_usual_prescription_has_no_warning(left_foot):
         ((Posting(rearfoot_deg=-9.2),), "rearfoot is posted by 9.2° laterally; more than 6°"),
         ((Posting(forefoot_deg=-7),), "forefoot is posted by 7° laterally; more than 6°"),
         ((HeelLift(height_mm=9),), "lifted by 9 mm"),
+        (
+            (FullLift(height_mm=8, heads_share=0.8),),
+            "The ball is lifted by 6.4 mm; on the device up to 5 mm are usual.",
+        ),
         ((HeelSkive(depth_mm=3),), "skive of 3 mm with 0° of inversion needs a heel cup of 14 mm"),
         (
             (HeelSkive(depth_mm=3), Posting(rearfoot_deg=4), HeelCup(depth_mm=16)),
@@ -148,6 +156,25 @@ def test_lifts_are_judged_together(left_foot):
 def test_a_heel_lift_counts_with_all_that_raises_the_heel(left_foot, lifts, said):
     found = [warning for warning in warnings(left_foot, *lifts) if "heel is lifted" in warning]
     assert [said in warning for warning in found] == ([True] if said else [])
+
+
+def test_a_usual_lift_of_the_whole_foot_is_not_warned_of(left_foot):
+    assert warnings(left_foot, FullLift(), max_height_mm=20.0) == []
+
+
+def test_an_element_brings_its_own_rule(left_foot, monkeypatch):
+    monkeypatch.setattr(correction, "CORRECTION_TYPES", dict(CORRECTION_TYPES))
+
+    class Shim(HeelLift):
+        type = "shim"
+
+        @classmethod
+        def rule(cls, mine, judged):
+            for one in mine:
+                lifted_mm, usual_mm = judged.lifted_mm(0.0), judged.rules.greatest_heel_lift_mm
+                yield DesignWarning(Message(f"{lifted_mm:g} of {usual_mm:g}"), one.id)
+
+    assert warnings(left_foot, Shim(height_mm=2.0)) == ["2 of 6"]
 
 
 def test_high_insole_is_warned_of_with_the_place(left_foot):

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from insole_core.errors import DesignError, InputError
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import CORRECTION_TYPES, ArchRaise, BrushStroke, Pelott, Posting
-from insole_core.insole.elements.pelott import FREE
 from insole_core.insole.fields import Range, choices_of, ranges_of
+from insole_core.insole.pads.pad_form import FREE
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import (

@@ -11,6 +11,7 @@ from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import Correction, ForefootTwist, HeelLift, Pelott, Posting
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import (
@@ -19,7 +20,7 @@ from insole_core.insole.prescription.design_json import (
     read_design,
 )
 from insole_core.insole.prescription.design_totals import MOST_CORRECTIONS, check_totals
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 
 
 def many(count: int, kind: type[Correction], **values) -> InsoleDesign:

@@ -14,8 +14,8 @@ from insole_core.foot.landmarks import HEADS, TOE_TIPS, Landmark
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
+from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
-from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.pads.pad_shapes import pad_size, resized
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design

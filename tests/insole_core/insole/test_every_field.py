@@ -81,7 +81,7 @@ def reading(content: dict[str, Any]) -> InsoleDesign | None:
 def test_every_module_that_declares_an_element_is_named_where_all_are() -> None:
     folder = Path(elements.__file__).parent
     declaring = {
-        path.stem for path in folder.glob("*.py") if "(Correction):" in path.read_text("utf-8")
+        path.stem for path in folder.glob("*.py") if "Correction):" in path.read_text("utf-8")
     }
     named = {kind.__module__.rpartition(".")[2] for kind in CORRECTION_TYPES.values()}
     assert declaring == named & declaring

@@ -14,6 +14,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import HeelCup, Pelott, Posting
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.thin_plate import Plate
@@ -26,7 +27,7 @@ from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.insole.surface.contact import contact_base
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.resources import resource_path
 from insole_core.workflows.open_scan import open_scan
 

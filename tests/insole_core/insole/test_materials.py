@@ -15,6 +15,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
@@ -32,7 +33,7 @@ from insole_core.insole.prescription.materials import (
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.prescription_lines import make_facts
 from insole_core.insole.prescription.shell import Post, Shell
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.solids.solid import insole_solid
 from insole_core.workflows.clinic_materials import ClinicMaterials
 

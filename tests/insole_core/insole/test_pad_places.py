@@ -11,12 +11,11 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import Landmarks, find_landmarks
 from insole_core.geometry.side import Side
+from insole_core.insole.clinic_rules import load_rules, proposed_post_deg
 from insole_core.insole.elements import Pelott
+from insole_core.insole.elements.pad_places import PLACES, placed_pad
 from insole_core.insole.pads.clearance import clearance
 from insole_core.insole.pads.pad_heights import pad_outline
-from insole_core.insole.pads.pad_places import PLACES, placed_pad
-from insole_core.insole.prescription.pronation import proposed_post_deg
-from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.workflows.pad_library import LibraryPad, load_pads

@@ -10,14 +10,10 @@ import pytest
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import ClinicRules, load_rules
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.warnings.clinic_rules import (
-    ClinicRules,
-    DesignWarning,
-    design_warnings,
-    load_rules,
-)
+from insole_core.insole.warnings.design_warnings import DesignWarning, design_warnings
 
 RULES = load_rules()
 BESIDE_FOOT = "Only {share:.0%} of the {pad} lie below the foot; move it inwards."

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pelott import FREE, PAD_SHAPES
+from insole_core.insole.pads.pad_form import FREE, PAD_SHAPES
 from insole_core.insole.pads.pad_heights import pad_heights, pad_outline
 from insole_core.insole.primitives.outline_curve import inside_curve
 

@@ -13,8 +13,9 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.workflows.open_scan import open_scan
 
 

@@ -12,7 +12,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.build import build_insole
 from insole_core.insole.elements import ArchRaise, Correction, new_id
-from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
 from insole_core.workflows.pad_library import load_pads

@@ -13,11 +13,12 @@ from insole_core.foot.landmarks import HEADS, find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import Rocker
+from insole_core.insole.elements.rocker import LEAST_LEFT_MM
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.surface.rocker import LEAST_LEFT_MM
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.solids.solid import insole_solid
 from insole_core.workflows.insole_builder import bare_key
 

@@ -13,6 +13,7 @@ import pytest
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.side import Side
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import (
     CORRECTION_TYPES,
     ArchRaise,
@@ -22,13 +23,12 @@ from insole_core.insole.elements import (
     Pelott,
     Posting,
 )
-from insole_core.insole.pads.pad_places import placed_pad
+from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
-from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.workflows.clinic_devices import AS_SCANNED, DEFAULT_DEVICE, clinic_devices
 from insole_core.workflows.clinic_findings import ClinicFindings, export_findings
 from insole_core.workflows.finding_file import read_findings

@@ -20,6 +20,7 @@ from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import ArchRaise, Pelott, Posting
 from insole_core.insole.elements.words import number_message
 from insole_core.insole.prescription.design import InsoleDesign
@@ -28,7 +29,7 @@ from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.solids.checks import Override

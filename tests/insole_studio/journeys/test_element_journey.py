@@ -94,13 +94,13 @@ def test_reliefs_are_chosen_in_the_menu_deepened_moved_and_undone(
     opened: Application, foot: SceneView, settle: Callable[[], None]
 ) -> None:
     library = ("Prescribe", "Pad of the library", "Forefoot", "Relief under a head")
-    choose_in_menu_bar(opened, *library, "Relief, 2nd head")
-    choose_in_menu_bar(opened, *library, "Relief, 3rd head")
+    choose_in_menu_bar(opened, *library, "Relief under the 2nd head")
+    choose_in_menu_bar(opened, *library, "Relief under the 3rd head")
     settle()
     second, third = corrections(opened)
     assert [describe(c).partition(" (")[0] for c in (second, third)] == [
-        "Relief, 2nd head 2 mm deep",
-        "Relief, 3rd head 2 mm deep",
+        "Relief under the 2nd head 2 mm deep",
+        "Relief under the 3rd head 2 mm deep",
     ]
     landmarks = landmarks_of(opened.case.record)
     for pad, head in ((second, HEADS[1]), (third, HEADS[2])):

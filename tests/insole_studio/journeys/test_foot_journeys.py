@@ -16,9 +16,8 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
+from insole_core.insole.clinic_rules import load_rules, proposed_post_deg
 from insole_core.insole.elements import Pelott, Posting
-from insole_core.insole.prescription.pronation import proposed_post_deg
-from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.workflows.foot_landmarks import landmarks_of

@@ -16,7 +16,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import Rocker
 from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.surface.rocker import heads_ahead
+from insole_core.insole.primitives.heads_line import heads_ahead
 from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 
@@ -120,4 +120,4 @@ def test_another_selection_takes_the_handle_away(rocked: Application) -> None:
 
 
 def test_the_hint_names_the_handle_of_the_line(rocked: Application) -> None:
-    assert "rocker" in rocked.stage.tool_controller.tool.hint(rocked.case)
+    assert "Rocker" in rocked.stage.tool_controller.tool.hint(rocked.case)

@@ -19,9 +19,9 @@ from x_pointer import drag_at_once
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import BrushStroke, HeelCup, HeelSkive, Pelott
 from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.section_plane import SectionPlane

@@ -2,36 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction
-from insole_core.insole.elements.pad_kinds import PAD_NAMES
+from insole_core.insole.elements.pad_places import SIZED_BY_FOOT
 from insole_core.insole.fields import Part, Spot, declared
-from insole_core.insole.pads.pad_places import SIZED_BY_FOOT
+from insole_core.insole.pads.pad_kinds import PAD_NAMES
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.texts import localised, tr, translate_core_message, with_capital
-
-KIND_NAMES: dict[str, Callable[[], str]] = {
-    "relief_head_1": lambda: tr("Relief, 1st head"),
-    "relief_head_2": lambda: tr("Relief, 2nd head"),
-    "relief_head_3": lambda: tr("Relief, 3rd head"),
-    "relief_head_4": lambda: tr("Relief, 4th head"),
-    "relief_head_5": lambda: tr("Relief, 5th head"),
-    "relief_base_5": lambda: tr("Relief, base of the 5th"),
-    "relief_toe_1": lambda: tr("Relief, 1st toe"),
-    "relief_toe_2": lambda: tr("Relief, 2nd toe"),
-    "relief_toe_3": lambda: tr("Relief, 3rd toe"),
-    "relief_toe_4": lambda: tr("Relief, 4th toe"),
-    "relief_toe_5": lambda: tr("Relief, 5th toe"),
-    "toe_filler_1": lambda: tr("Filler, 1st toe"),
-    "toe_filler_2": lambda: tr("Filler, 2nd toe"),
-    "toe_filler_3": lambda: tr("Filler, 3rd toe"),
-    "toe_filler_4": lambda: tr("Filler, 4th toe"),
-    "toe_filler_5": lambda: tr("Filler, 5th toe"),
-}
-"""Names of kinds of pads that are shorter in the window than within a sentence."""
 
 
 def capitalised(word: str) -> str:
@@ -73,8 +51,6 @@ def pad_text(pad: LibraryPad) -> str:
 def name_of(correction: Correction) -> str:
     """Return the name of a correction's kind; one of the clinic's own is named as it is written."""
     kind = getattr(correction, "kind", None)
-    if kind in KIND_NAMES:
-        return KIND_NAMES[kind]()
     return correction.noun if kind and kind not in PAD_NAMES else capitalised(correction.noun)
 
 

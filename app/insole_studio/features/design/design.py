@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from insole_core.insole.warnings.clinic_rules import load_rules
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay

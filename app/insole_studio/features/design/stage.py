@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from insole_core.insole.warnings.clinic_rules import ClinicRules
+from insole_core.insole.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay

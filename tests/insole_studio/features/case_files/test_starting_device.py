@@ -12,11 +12,12 @@ import pytest
 
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import Pelott, Posting
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import device_of
 from insole_core.insole.prescription.materials import read_materials
-from insole_core.insole.warnings.clinic_rules import design_warnings, load_rules
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.clinic_devices import clinic_devices
 from insole_core.workflows.default_device import DefaultDevice

@@ -177,7 +177,7 @@ def test_the_zone_of_a_posting_is_typed_in_per_cent_under_expert(opened: Applica
         (ArchRaise(target_mm=28.04), "Arch raise to 28 mm"),
         (
             replace(PAD, shape="cut_out", kind="relief_toe_2", height_mm=-2.0),
-            "Relief, 2nd toe 2 mm deep (60 × 40)",
+            "Relief under the 2nd toe 2 mm deep (60 × 40)",
         ),
         (replace(PAD, kind="felt_pad", height_mm=3.0), "felt pad 3 mm (60 × 40)"),
         (Rocker(slope_deg=8.0), "Rocker 8°"),

@@ -23,8 +23,8 @@ from insole_core.cases.case_record import (
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
+from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import Pelott
-from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay

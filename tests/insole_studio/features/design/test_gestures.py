@@ -11,11 +11,20 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import Annotations, KeyPoint, ReferencePlane
 from insole_core.cases.scan_source import ScanSource
+from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import ArchRaise, Pelott, Posting
+from insole_core.insole.clinic_rules import load_rules
+from insole_core.insole.elements import (
+    CORRECTION_TYPES,
+    ArchRaise,
+    HeelLift,
+    Pelott,
+    Posting,
+    correction,
+)
+from insole_core.insole.grips import Grip, Pull
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.warnings.clinic_rules import load_rules
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.plantar_view import PlantarView
@@ -470,3 +479,49 @@ class TestSection:
         assert len(case.history) == 0
         assert tool_controller.nudge(at(Phase.MOVE, 0.0, 0.0), 0, 1)
         assert section.plane == SectionPlane((20.0, 60.5))
+
+
+def test_an_element_says_itself_how_it_is_grabbed(
+    case: Case, tool_controller: ToolController, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(correction, "CORRECTION_TYPES", dict(CORRECTION_TYPES))
+
+    class Wedge(HeelLift):
+        type = "wedge"
+
+        def grips(self, foot: Foot) -> tuple[Grip, ...]:
+            return (Grip("top", (0.0, 30.0), "Drag up to raise it", "Raise it", notch_mm=1.0),)
+
+        def pulled(self, grip: str, pull: Pull, foot: Foot) -> Wedge:
+            return replace(self, height_mm=round(self.height_mm + pull.up_mm / 10, 1))
+
+    wedge = Wedge(height_mm=3.0)
+    case.apply(design(case).with_added(wedge), "Add a wedge")
+    case.select(wedge.id)
+    tool = tool_controller.tool
+    (handle,) = tool.handles(case, GROUND)
+    assert (handle.name, handle.position_mm) == ("top", (0.0, 30.0, 0.0))
+    assert "Heel lift: drag a handle" in tool.hint(case)
+    drag(tool_controller, (0.0, 30.0), (0.0, 10.0), handle="top")
+    rise_mm = at(Phase.PRESS, 0.0, 30.0).pixel[1] - at(Phase.PRESS, 0.0, 10.0).pixel[1]
+    assert design(case).corrections == (replace(wedge, height_mm=3.0 + rise_mm / 10),)
+    assert case.history.undo_sentence == "Raise it"
+    assert tool.wheel(case, at(Phase.MOVE, 0.0, 0.0, by_key=True), 5.0)
+    assert design(case).corrections == (replace(wedge, height_mm=3.5 + rise_mm / 10),)
+    case.apply(design(case).with_changed(replace(wedge, enabled=False)), "Switch it off")
+    assert tool.handles(case, GROUND) == ()
+
+
+def test_a_selected_posting_is_tilted_while_the_view_is_turned(
+    case: Case, tool_controller: ToolController
+) -> None:
+    posting = Posting(rearfoot_deg=2.0)
+    case.apply(design(case).with_added(posting), "Add a posting")
+    assert tool_controller.tool.handles(case, GROUND) == ()
+    case.select(posting.id)
+    names = [handle.name for handle in tool_controller.tool.handles(case, GROUND)]
+    assert names == ["rearfoot", "forefoot"]
+    drag(tool_controller, (10.0, 140.0), (10.0, 120.0), handle="forefoot")
+    (tilted,) = design(case).corrections
+    assert tilted == replace(posting, forefoot_deg=tilted.forefoot_deg)  # type: ignore[attr-defined]
+    assert abs(tilted.forefoot_deg) == 4.0  # type: ignore[attr-defined]

@@ -14,8 +14,8 @@ from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import ArchRaise, Correction, new_id
+from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.fields import ranges_of
-from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.template import (
     make_template,

@@ -15,11 +15,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.picking import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_core.geometry.surface_path import shortest_path
-from insole_core.insole.elements import Pelott
+from insole_core.insole.elements import Correction
 from insole_core.insole.outline.shoe_outline import shoe_outline
-from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.lifts import heel_lift_mm
-from insole_core.insole.surface.rocker import rocker_line
 from insole_core.pressure.laid_map import PlantarLayers
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
@@ -45,11 +43,10 @@ from insole_studio.features.design.models.side_by_side_layout import (
     pair_text,
     placed_beside,
 )
-from insole_studio.features.design.tools.editable_pads import selected_pelott, selected_zone
+from insole_studio.features.design.tools.hand import selected_element
 from insole_studio.features.design.tools.key_point_tool import confidence, point_text, shown_points
-from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearance
+from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearance, selected_pelott
 from insole_studio.features.design.tools.outline_tool import curve_of
-from insole_studio.features.design.tools.rocker_line import selected_rocker
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.coloring import Coloring, on_display
@@ -59,7 +56,6 @@ from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import localised, tr
 
-OUTLINE_POINTS = 96
 OUTLINE_STRIDE = 3
 SECTION_POINTS = 192
 _NOTHING = (object(),) * 8
@@ -208,9 +204,10 @@ class ModelPresenter:
 
     def start(self) -> tuple[float, float, float] | None:
         """Return where the keyboard cursor starts: where the tool asks, or at the selection."""
-        pad = selected_zone(self._case)
+        element, foot = selected_element(self._case), self._case.foot
+        grips = () if element is None or foot is None else element.grips(foot)
         place = self._tool_controller.tool.start(self._case) or (
-            None if pad is None else pad.centre_mm
+            grips[0].place_mm if grips else None
         )
         return None if place is None else self.place(*place)
 
@@ -362,7 +359,7 @@ class ModelPresenter:
             return
         way = self.places(np.stack([found.front, found.nearest]))
         lines = self.places(found.line), way
-        place = self.panel.right_of(self._outline(pad), way[0])
+        place = self.panel.right_of(self._lines(pad)[0], way[0])
         self.panel.show_guide(lines, f"{localised(found.distance_mm)} mm", place)
 
     def _show_section(self) -> None:
@@ -386,29 +383,23 @@ class ModelPresenter:
         return self.place(0.0, 0.0)[2] - self._surface.height_mm(0.0, 0.0)
 
     def _outlines(self) -> tuple[list[FloatArray], list[FloatArray]]:
-        design = self._case.shown.design
-        pads = design.of(Pelott) if design else ()
-        selected = selected_zone(self._case)
-        lines: dict[bool, list[FloatArray]] = {True: [], False: []}
-        for pad in pads:
-            if pad != selected:
-                lines[False].append(self._outline(pad))
-        if selected is not None and selected.enabled:
-            lines[True].append(self._outline(selected))
-        rocker, foot = selected_rocker(self._case), self._case.foot
-        if rocker is not None and foot is not None and self._tool_controller.tool.key == "orbit":
-            lines[True].append(self.places(_between(*rocker_line(foot, rocker))))
+        design, selected = self._case.shown.design, selected_element(self._case)
+        elements = () if design is None else design.active
+        others = [one for one in elements if one.is_seen and one != selected]
         if self._tool_controller.tool.key in ("outline", "rim"):
-            lines[True] = [self._insole_outline()]
-        return lines[False], lines[True]
+            marked = [self._insole_outline()]
+        else:
+            marked = [] if selected is None else self._lines(selected)
+        return [line for one in others for line in self._lines(one)], marked
 
     def _insole_outline(self) -> FloatArray:
         curve = curve_of(self._case.shown)[::OUTLINE_STRIDE]
         return self.places(np.concatenate([curve, curve[:1]]))
 
-    def _outline(self, pad: Pelott) -> FloatArray:
-        around = pad_outline(pad, OUTLINE_POINTS)
-        return self.places(np.concatenate([around, around[:1]]))
+    def _lines(self, element: Correction) -> list[FloatArray]:
+        """Return the lines of an element on the shown surface."""
+        foot = self._case.foot
+        return [] if foot is None else [self.places(line) for line in element.lines(foot)]
 
     def places(self, xy: FloatArray) -> FloatArray:
         """Return the points (n, 3) of the shown surface at positions (n, 2)."""
@@ -726,8 +717,3 @@ class InsolePresenter(ModelPresenter):
             self.panel.show_empty(sentence, {"open": tr("Open case…")})
         else:
             self.panel.show_empty(tr("The insole is being built…"), {})
-
-
-def _between(start: FloatArray, end: FloatArray) -> FloatArray:
-    """Return points (n, 2) on the way from one to the other."""
-    return np.asarray(np.linspace(start, end, OUTLINE_POINTS // OUTLINE_STRIDE))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, QTimer
 
 from insole_core.insole.fields import Place
+from insole_core.insole.grips import place_at
 from insole_studio.document.section_plane import SectionModel, SectionPlane
-from insole_studio.features.design.tools.tool import place_at
 from insole_studio.features.design.tools.tool_controller import ToolController
 from insole_studio.scene.pointer import PointerEvent
 

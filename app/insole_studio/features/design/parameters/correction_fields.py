@@ -9,7 +9,6 @@ import numpy as np
 
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
-from insole_core.insole.elements.pelott import SIZES
 from insole_core.insole.fields import (
     Choice,
     Declared,
@@ -21,6 +20,7 @@ from insole_core.insole.fields import (
     range_beside,
     ranges_of,
 )
+from insole_core.insole.pads.pad_form import SIZES
 from insole_core.insole.pads.pad_shapes import local_outline, pad_size, resized
 from insole_studio.features.design.correction_names import capitalised
 from insole_studio.features.design.rows import ChoiceSpec, FieldSpec
@@ -127,7 +127,7 @@ def with_value(part: _Part, key: str, value: float | str, side: Side) -> _Part:
     stored = value / editable.factor(side)
     if isinstance(part, Pelott) and editable.name in SIZES:
         sizes = dict(zip(SIZES, pad_size(part), strict=True)) | {editable.name: stored}
-        return resized(part, **sizes)  # type: ignore[return-value]
+        return resized(part, **sizes)
     if editable.number is None:
         return replace(part, **{editable.name: stored})  # type: ignore[type-var]
     pair = list(_pair(part, editable.name) or (0.0, 0.0))

@@ -11,10 +11,9 @@ from insole_core.errors import InputError
 from insole_core.foot.alignment import PoseAngles, pose_angles
 from insole_core.foot.foot import Foot
 from insole_core.foot.measures import measure
+from insole_core.insole.clinic_rules import ClinicRules, proposed_post_deg
 from insole_core.insole.elements import Pelott, Posting, new_id
 from insole_core.insole.fields import Range
-from insole_core.insole.prescription.pronation import proposed_post_deg
-from insole_core.insole.warnings.clinic_rules import ClinicRules
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.foot_pose import levelled_record, quarter_turned_record, turned_record
 from insole_core.workflows.pen_marks import PenMark, PenMarks
@@ -22,7 +21,7 @@ from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of, place_text
 from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.key_point_tool import point_text
-from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
+from insole_studio.features.design.tools.posting_tool import posting_of
 from insole_studio.texts import localised, tr, translate_core_message
 
 _ANGLE = Range(-45, 45, "degrees")
@@ -117,7 +116,7 @@ class FootProposals:
         if design is not None:
             before = posting_of(design) or self._case.stamped(Posting())
             posting = replace(before, rearfoot_deg=self._proposed_deg(), enabled=True)
-            self._case.apply(with_posting(design, posting), tr("Take the proposed posting"))
+            self._case.apply(design.with_set(posting), tr("Take the proposed posting"))
 
     def _use_mark(self, name: str) -> None:
         number, _, meaning = name.partition(".")

@@ -8,11 +8,11 @@ from typing import Any, Protocol, TypeAlias
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.side import Side
+from insole_core.insole.clinic_rules import ClinicRules
 from insole_core.insole.elements import Correction, Pelott, Posting
 from insole_core.insole.fields import Range
 from insole_core.insole.finishing.rim_edits import counted_from, replaced_station
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.warnings.clinic_rules import ClinicRules
 from insole_core.pressure.regions import RELIEF_KPA
 from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.case import Case
@@ -37,10 +37,10 @@ from insole_studio.features.design.parameters.plantar_fields import PlantarField
 from insole_studio.features.design.rim_texts import place_text
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.brush_tool import BrushTool
-from insole_studio.features.design.tools.editable_pads import selected_pelott
+from insole_studio.features.design.tools.metatarsal_line import selected_pelott
 from insole_studio.features.design.tools.outline_tool import with_source
 from insole_studio.features.design.tools.pelott_tool import PelottTool
-from insole_studio.features.design.tools.posting_tool import posting_of, with_posting
+from insole_studio.features.design.tools.posting_tool import posting_of
 from insole_studio.features.design.tools.rim_tool import remove_station
 from insole_studio.features.design.tools.tool import with_number
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -289,7 +289,7 @@ class ParametersPresenter:
         design = self._case.record.design
         if design is not None:
             before = posting_of(design) or self._case.stamped(Posting())
-            changed = with_posting(design, with_value(before, name, value, self._side))
+            changed = design.with_set(with_value(before, name, value, self._side))
             self._case.apply(changed, tr("Edit the posting"), f"posting:{name}")
 
     def _edit_station(self, name: str, value: Any) -> None:

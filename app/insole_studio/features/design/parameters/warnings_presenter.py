@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from insole_core.insole.warnings.clinic_rules import ClinicRules, design_warnings
-from insole_core.insole.warnings.design_warning import DesignWarning
+from insole_core.insole.clinic_rules import ClinicRules
+from insole_core.insole.design_warning import DesignWarning
+from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview

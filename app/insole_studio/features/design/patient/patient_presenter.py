@@ -14,15 +14,13 @@ from insole_core.cases.sample import SAMPLE_KEEPS_NAME
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import Correction, Pelott, new_id
+from insole_core.insole.elements import Correction
 from insole_studio.document.case import Case
 from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.correction_names import describe, device_name, name_of
 from insole_studio.features.design.patient.measure_texts import distances_of, measures_of
 from insole_studio.features.design.rows import CorrectionRow, Measure
 from insole_studio.texts import tr, translate_core_message
-
-COPY_BEHIND_MM = 10.0
 
 
 class PatientPanel(Protocol):
@@ -140,10 +138,7 @@ class PatientPresenter:
         correction = design.correction(correction_id) if design is not None else None
         if design is None or correction is None:
             return
-        fresh = self._case.stamped(replace(correction, id=new_id()))
-        if isinstance(fresh, Pelott):
-            x, y = fresh.centre_mm
-            fresh = replace(fresh, centre_mm=(x, y - COPY_BEHIND_MM))
+        fresh = self._case.stamped(correction.copied())
         sentence = tr("Copy: {name}").format(name=name_of(fresh))
         self._case.apply(design.with_added(fresh), sentence)
         self._case.select(fresh.id)

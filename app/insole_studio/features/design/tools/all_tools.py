@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from insole_core.insole.warnings.clinic_rules import ClinicRules
+from insole_core.insole.clinic_rules import ClinicRules
 from insole_core.workflows.pad_library import LibraryPad, default_pelott
 from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 from insole_core.insole.elements import BrushStroke, new_id
 from insole_core.insole.fields import Place
+from insole_core.insole.grips import place_at
 from insole_studio.document.case import Case
-from insole_studio.features.design.tools.pelott_tool import seen_from_above
-from insole_studio.features.design.tools.tool import SurfaceContext, Tool, place_at
+from insole_studio.features.design.tools.hand import seen_from_above
+from insole_studio.features.design.tools.tool import SurfaceContext, Tool
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.texts import tr

@@ -8,14 +8,11 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.surface_path import path_length_mm, resampled
 from insole_core.insole.elements import Pelott
 from insole_core.insole.fields import Place
+from insole_core.insole.grips import place_at
 from insole_core.insole.primitives.outline_curve import crosses_itself, inside_curve
 from insole_studio.document.case import Case
-from insole_studio.features.design.tools.pelott_tool import (
-    grab_pelott,
-    pelott_handles,
-    seen_from_above,
-)
-from insole_studio.features.design.tools.tool import SurfaceContext, Tool, place_at
+from insole_studio.features.design.tools.hand import Hand, seen_from_above
+from insole_studio.features.design.tools.tool import SurfaceContext, Tool
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent
 from insole_studio.texts import tr
@@ -32,7 +29,7 @@ class FreeHandTool(Tool):
     draws = True
 
     def __init__(self, behind_heads_mm: float) -> None:
-        self._behind_heads_mm = behind_heads_mm
+        self._hand = Hand(behind_heads_mm, ("pad",))
         self.reset()
 
     def reset(self) -> None:
@@ -46,7 +43,7 @@ class FreeHandTool(Tool):
 
     def handles(self, case: Case, surface: SurfaceContext) -> tuple[Handle, ...]:
         """Return the handles of the drawn pad."""
-        return pelott_handles(case, surface)
+        return self._hand.handles(case, surface)
 
     @property
     def sketch(self) -> tuple[Place, ...]:
@@ -56,7 +53,7 @@ class FreeHandTool(Tool):
     def press(self, case: Case, event: PointerEvent, _surface: SurfaceContext) -> Gesture | None:
         """Grab a handle of the drawn pad, or start drawing."""
         if event.handle is not None:
-            return grab_pelott(case, event, self._behind_heads_mm)
+            return self._hand.grab(case, event)
         if event.surface_mm is None or case.record.design is None or seen_from_above(event):
             return None
         return self._draw(case, event)

@@ -1,21 +1,17 @@
-"""Pads and the line of the metatarsal heads: clearance and snapping."""
+"""Pads and the line of the metatarsal heads: distances that are shown."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-import numpy as np
-
 from insole_core.cases.case_record import CaseRecord
 from insole_core.insole.elements import Pelott
+from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.fields import Place
 from insole_core.insole.pads.clearance import Clearance
 from insole_core.insole.pads.clearance import clearance as pad_clearance
-from insole_core.insole.pads.pad_places import placed_pad
 from insole_core.workflows.foot_landmarks import landmarks_of, metatarsal_line
-from insole_studio.features.design.tools.tool import place_at
+from insole_studio.document.case import Case
+from insole_studio.texts import localised, tr
 
-SNAP_MM = 1.5
 NEAR_MM = 30.0
 
 
@@ -46,21 +42,18 @@ def usual_place(record: CaseRecord, pad: Pelott, behind_heads_mm: float) -> Plac
     return placed_pad(pad, "metatarsal_line", side, landmarks, behind_heads_mm).centre_mm
 
 
-def snapped(record: CaseRecord, pad: Pelott, behind_heads_mm: float) -> Pelott:
-    """Return the pad, moved to the usual distance behind the heads if it is almost there.
+def selected_pelott(case: Case) -> Pelott | None:
+    """Return the selected correction if it is a pad of the shown design."""
+    design = case.shown.design
+    return None if design is None else design.found(case.selection, Pelott)
 
-    Parameters
-    ----------
-    record
-        The open case.
-    pad
-        The pad being dragged.
-    behind_heads_mm
-        The usual distance of the front edge, by the clinic's rules.
-    """
-    found = clearance(record, pad)
-    if found is None or abs(found.distance_mm - behind_heads_mm) > SNAP_MM:
-        return pad
-    ahead = (found.nearest - found.front) / (found.distance_mm or 1.0)
-    moved = np.array(pad.centre_mm) + (found.distance_mm - behind_heads_mm) * ahead
-    return replace(pad, centre_mm=place_at(moved, 0.01))
+
+def clearance_text(case: Case) -> str:
+    """Return how far the selected pad ends behind the metatarsal heads; empty if far away."""
+    pad = selected_pelott(case)
+    found = clearance(case.shown, pad) if pad is not None else None
+    if found is None or abs(found.distance_mm) > NEAR_MM:
+        return ""
+    return tr("Front edge {distance} mm behind the metatarsal heads").format(
+        distance=localised(found.distance_mm)
+    )

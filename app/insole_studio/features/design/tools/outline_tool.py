@@ -11,6 +11,7 @@ from insole_core.errors import DesignError
 from insole_core.foot.measures import shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.fields import Place
+from insole_core.insole.grips import PLACE_STEP_MM, place_at
 from insole_core.insole.outline.insole_outline import insole_outline, outline_points
 from insole_core.insole.outline.outline_drag import drag_weights
 from insole_core.insole.prescription.design import InsoleDesign
@@ -20,12 +21,10 @@ from insole_core.insole.primitives.outline_curve import closed_curve, crosses_it
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import (
-    PLACE_STEP_MM,
     ContextMenuItem,
     SurfaceContext,
     Tool,
     nudge_mm,
-    place_at,
 )
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from insole_core.geometry.rounding import rounded
+from insole_core.insole.grips import place_at
 from insole_studio.document.case import Case
 from insole_studio.document.section_plane import SectionModel, SectionPlane
 from insole_studio.features.design.tools.tool import (
@@ -15,7 +16,6 @@ from insole_studio.features.design.tools.tool import (
     SurfaceContext,
     Tool,
     nudge_mm,
-    place_at,
 )
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Handle, Phase, PointerEvent

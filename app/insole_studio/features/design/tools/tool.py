@@ -14,7 +14,6 @@ import numpy as np
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction
 from insole_core.insole.fields import Place
@@ -25,7 +24,6 @@ from insole_studio.scene.pointer import Handle, PointerEvent
 from insole_studio.scene.view_camera import Subject
 
 NUDGE_MM = 0.5
-PLACE_STEP_MM = 0.1
 
 Record = TypeVar("Record", bound=Correction | InsoleDesign | ReferencePlane)
 
@@ -240,11 +238,6 @@ def nudge_mm(event: PointerEvent, right: int, up: int) -> FloatArray:
     distance = NUDGE_MM * (10.0 if event.coarse else 1.0) * (0.1 if event.fine else 1.0)
     step = (right * event.look.right + up * event.look.up)[:2]
     return np.asarray(step / max(float(np.linalg.norm(step)), 1e-9) * distance)
-
-
-def place_at(place: FloatArray, step_mm: float = PLACE_STEP_MM) -> Place:
-    """Return a position (x, y) rounded to whole steps."""
-    return rounded(float(place[0]), step_mm), rounded(float(place[1]), step_mm)
 
 
 def with_number(value: Record, name: str, number: float) -> Record:

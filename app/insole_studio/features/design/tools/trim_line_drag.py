@@ -9,13 +9,13 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import DesignError
 from insole_core.insole.fields import Place
+from insole_core.insole.grips import place_at
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.trim_line import trim_points
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
-from insole_studio.features.design.tools.tool import place_at
 from insole_studio.scene.gesture import Gesture
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.texts import tr
