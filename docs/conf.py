@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 sys.path.insert(0, str(Path(__file__).parent))
 
 project = "Insole Studio"
-extensions = ["myst_parser", "command_reference"]
+extensions = ["myst_parser", "command_reference", "value_reference"]
 html_theme = "furo"
 html_title = "Insole Studio"
 html_show_search_summary = False  # search_excerpts.js shows more, and fetches nothing

@@ -72,6 +72,9 @@ class Declared:
         ``"{value} at the rearfoot"``; None if it is not among them.
     within
         What the label belongs to, where it stands alone among differences.
+    effect
+        For the manual, what the value does where there is no tip: where the window has a field of
+        its own for it, or none.
     """
 
     label: str
@@ -79,6 +82,7 @@ class Declared:
     expert: bool = field(default=False, kw_only=True)
     main: str | None = field(default=None, kw_only=True)
     within: str = field(default="", kw_only=True)
+    effect: str = field(default="", kw_only=True)
 
     @property
     def range(self) -> Range | None:

@@ -42,7 +42,9 @@ class BrushStroke(Correction):
     radius_mm: Annotated[
         float, Number("Radius", "Distance from the stroke beyond which nothing changes", 2, 80)
     ] = 15.0
-    points_mm: Annotated[tuple[Place, ...], Line("Path")]
+    points_mm: Annotated[
+        tuple[Place, ...], Line("Path", effect="Places of the pointer along the stroke")
+    ]
 
     @property
     def is_of_one_foot(self) -> bool:

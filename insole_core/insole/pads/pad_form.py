@@ -74,8 +74,16 @@ class PadForm(Part):
         Of a free shape: its corners relative to the centre, not turned, joined by a closed curve.
     """
 
-    shape: Annotated[str, Choice("Shape", words=_SHAPE_WORDS)] = "egg"
-    kind: Annotated[str | None, Text("Kind")] = None
+    shape: Annotated[
+        str, Choice("Shape", words=_SHAPE_WORDS, effect="What the pad looks like from above")
+    ] = "egg"
+    kind: Annotated[
+        str | None,
+        Text(
+            "Kind",
+            effect="What it is prescribed as, a kind of the pad library; its shape if left out",
+        ),
+    ] = None
     height_mm: Annotated[
         float,
         Number("Height", "Height at the highest place; below 0 it is a recess", -20, 20, main=""),
@@ -115,9 +123,26 @@ class PadForm(Part):
             ),
         ),
     ] = None
-    blend_mm: Annotated[float | None, Number("Edge", least=0.5, greatest=100)] = None
+    blend_mm: Annotated[
+        float | None,
+        Number(
+            "Edge",
+            least=0.5,
+            greatest=100,
+            effect="Breadth over which the pad runs out; a share of its size if left out",
+        ),
+    ] = None
     outline_mm: Annotated[
-        tuple[Place, ...] | None, Line("Outline", "", 3, 400, reach_mm=200, is_on_foot=False)
+        tuple[Place, ...] | None,
+        Line(
+            "Outline",
+            "",
+            3,
+            400,
+            reach_mm=200,
+            is_on_foot=False,
+            effect="Corners of a free-hand pad, from its highest place",
+        ),
     ] = None
 
     @property

@@ -72,7 +72,12 @@ class InsoleDesign(Part):
             "Side height", "Height over the ground up to which the insole follows the foot", 5, 45
         ),
     ] = 30.0
-    margin_mm: Annotated[float, Number("Margin", least=0, greatest=50)] = 10.0
+    margin_mm: Annotated[
+        float,
+        Number(
+            "Margin", least=0, greatest=50, effect="How far the surface is computed beside the foot"
+        ),
+    ] = 10.0
     grid_mm: Annotated[
         float,
         Number(

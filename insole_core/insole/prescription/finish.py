@@ -30,7 +30,14 @@ class RimStation(Part):
         contact surface beside the edge: the height that the foot itself asks for).
     """
 
-    border: Annotated[str, Choice("Border", words={"medial": "medial", "lateral": "lateral"})]
+    border: Annotated[
+        str,
+        Choice(
+            "Border",
+            words={"medial": "medial", "lateral": "lateral"},
+            effect="The border that the station is on",
+        ),
+    ]
     along: Annotated[
         float,
         Share("Place", "0 % behind the heel, 70 % beside the metatarsal head, 100 % at the toes"),
@@ -96,7 +103,15 @@ class Finish(Part):
             expert=True,
         ),
     ] = 4.0
-    arch_fill_mm: Annotated[float, Number("Arch fill", least=0, greatest=15)] = 0.0
+    arch_fill_mm: Annotated[
+        float,
+        Number(
+            "Arch fill",
+            least=0,
+            greatest=15,
+            effect="How far the medial arch is lowered below the scan",
+        ),
+    ] = 0.0
     heel_blend_mm: Annotated[
         float,
         Number(

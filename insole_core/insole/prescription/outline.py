@@ -84,7 +84,9 @@ class Outline(Part):
             within="Outline",
         ),
     ] = None
-    points_mm: Annotated[tuple[Place, ...] | None, Line("Drawn outline")] = None
+    points_mm: Annotated[
+        tuple[Place, ...] | None, Line("Drawn outline", effect="Places of a drawn edge")
+    ] = None
     shoe: Shoe | None = None
 
     def acts(self, name: str) -> bool:

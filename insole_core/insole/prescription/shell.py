@@ -29,7 +29,12 @@ class Post(Part):
     """
 
     region: Annotated[
-        str, Choice("Region", words={"rearfoot": "rearfoot", "forefoot": "forefoot"})
+        str,
+        Choice(
+            "Region",
+            words={"rearfoot": "rearfoot", "forefoot": "forefoot"},
+            effect="Below which part of the shell the post stands",
+        ),
     ] = "rearfoot"
     angle_deg: Annotated[
         float,
@@ -41,8 +46,19 @@ class Post(Part):
             raises=True,
         ),
     ] = 0.0
-    length_mm: Annotated[float | None, Number("Length", least=15, greatest=120)] = None
-    edge_radius_mm: Annotated[float, Number("Edge radius", least=0, greatest=10)] = 4.0
+    length_mm: Annotated[
+        float | None,
+        Number(
+            "Length",
+            least=15,
+            greatest=120,
+            effect="How far the post reaches; by its region if left out",
+        ),
+    ] = None
+    edge_radius_mm: Annotated[
+        float,
+        Number("Edge radius", least=0, greatest=10, effect="Rounding of the post's lower edge"),
+    ] = 4.0
 
     def acts(self, name: str) -> bool:
         """Return whether a field says what the name of the post does not."""
@@ -79,16 +95,38 @@ class Shell(Part):
         At most one for each region.
     """
 
-    material: Annotated[str, Text("Material")] = "polypropylene"
+    material: Annotated[
+        str, Text("Material", effect="What the shell is made of; a material of the clinic's table")
+    ] = "polypropylene"
     body_weight_kg: Annotated[
-        float | None, Number("Body weight", least=5, greatest=250, unit="kg")
+        float | None,
+        Number(
+            "Body weight",
+            least=5,
+            greatest=250,
+            unit="kg",
+            effect="From which, with the material, a thickness is proposed",
+        ),
     ] = None
     least_mm: Annotated[
-        float | None, Number("Least thickness", least=0.5, greatest=40, within="Shell")
+        float | None,
+        Number(
+            "Least thickness",
+            least=0.5,
+            greatest=40,
+            within="Shell",
+            effect="Thickness below which it is warned of; the material's if left out",
+        ),
     ] = None
     least_edge_mm: Annotated[
         float | None,
-        Number("Least thickness at the front edge", least=0.5, greatest=40, within="Shell"),
+        Number(
+            "Least thickness at the front edge",
+            least=0.5,
+            greatest=40,
+            within="Shell",
+            effect="The same at the front edge",
+        ),
     ] = None
     heel_pitch_mm: Annotated[
         float, Number("Heel pitch", "Height of the shoe's heel over its forefoot", 0, 30)
@@ -141,5 +179,8 @@ class Shell(Part):
     chamfer_mm: Annotated[
         float, Number("Chamfer", "Width of the bevel along the upper edge", 0, 10, expert=True)
     ] = 0.0
-    trim_mm: Annotated[tuple[Place, ...] | None, Line("Trim line", "", 2, 60)] = None
+    trim_mm: Annotated[
+        tuple[Place, ...] | None,
+        Line("Trim line", "", 2, 60, effect="Where the shell ends in front, from border to border"),
+    ] = None
     posts: tuple[Post, ...] = ()

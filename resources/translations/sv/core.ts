@@ -508,6 +508,10 @@
             <translation>Bakom huvudena</translation>
         </message>
         <message>
+            <source>Below which part of the shell the post stands</source>
+            <translation>Under vilken del av skalet kilen står</translation>
+        </message>
+        <message>
             <source>Between {low_mm:.0f} and {high_mm:.0f} mm the distances are met within {error_mm:.1f} mm.</source>
             <translation>Mellan {low_mm:.0f} och {high_mm:.0f} mm träffas avstånden inom {error_mm:.1f} mm.</translation>
         </message>
@@ -534,6 +538,10 @@
         <message>
             <source>Both feet in the scan look like a {side} one; say which foot is which.</source>
             <translation>Båda fötterna i skanningen ser ut som en {side}; ange vilken fot som är vilken.</translation>
+        </message>
+        <message>
+            <source>Breadth over which the pad runs out; a share of its size if left out</source>
+            <translation>Bredd över vilken pelotten löper ut; en andel av dess storlek om den utelämnas</translation>
         </message>
         <message>
             <source>Brush</source>
@@ -710,6 +718,10 @@
         <message>
             <source>Cork and EVA</source>
             <translation>Kork och EVA</translation>
+        </message>
+        <message>
+            <source>Corners of a free-hand pad, from its highest place</source>
+            <translation>Hörnen på en frihandspelott, från dess högsta punkt</translation>
         </message>
         <message>
             <source>Corrections</source>
@@ -1216,6 +1228,10 @@
             <translation>Från hälen</translation>
         </message>
         <message>
+            <source>From which, with the material, a thickness is proposed</source>
+            <translation>Ur vilken, tillsammans med materialet, en tjocklek föreslås</translation>
+        </message>
+        <message>
             <source>Front edge</source>
             <translation>Framkant</translation>
         </message>
@@ -1386,6 +1402,18 @@
         <message>
             <source>How far the height spreads along the pad; more makes it fuller</source>
             <translation>Hur långt höjden breder ut sig längs pelotten; mer gör den fylligare</translation>
+        </message>
+        <message>
+            <source>How far the medial arch is lowered below the scan</source>
+            <translation>Hur mycket det mediala valvet sänks under skanningen</translation>
+        </message>
+        <message>
+            <source>How far the post reaches; by its region if left out</source>
+            <translation>Hur långt kilen når; efter sitt område om den utelämnas</translation>
+        </message>
+        <message>
+            <source>How far the surface is computed beside the foot</source>
+            <translation>Hur långt bredvid foten ytan beräknas</translation>
         </message>
         <message>
             <source>How much narrower the rear end is than the front; 0 % is an ellipse</source>
@@ -2108,6 +2136,14 @@
             <translation>Lägen anges i filens koordinater: y går från häl till tår, x = 0 är fotens axel och z = 0 planet som arbetsstycket står på. Ett rött kryss visar det sämsta stället för en kontroll som inte klarades.</translation>
         </message>
         <message>
+            <source>Places of a drawn edge</source>
+            <translation>Platser på en ritad kant</translation>
+        </message>
+        <message>
+            <source>Places of the pointer along the stroke</source>
+            <translation>Pekarens platser längs draget</translation>
+        </message>
+        <message>
             <source>Placing the view {view}</source>
             <translation>Placerar vyn {view}</translation>
         </message>
@@ -2414,6 +2450,10 @@
         <message>
             <source>Round the piece there is {over:.1f} mm too little of the block for the cutter "{cutter}"; take a larger block, or a thinner cutter for the contour.</source>
             <translation>Runt stycket har blocket {over:.1f} mm för lite för fräsen ”{cutter}”; ta ett större block eller en tunnare fräs för konturen.</translation>
+        </message>
+        <message>
+            <source>Rounding of the post's lower edge</source>
+            <translation>Avrundning av kilens nedre kant</translation>
         </message>
         <message>
             <source>Rounding of the upper edge</source>
@@ -2834,6 +2874,10 @@
         <message>
             <source>The body weights of {name} must go from light to heavy; change them.</source>
             <translation>Kroppsvikterna för {name} måste gå från lätt till tung; ändra dem.</translation>
+        </message>
+        <message>
+            <source>The border that the station is on</source>
+            <translation>Kanten som punkten ligger på</translation>
         </message>
         <message>
             <source>The box around the imprint was left out: {percent:.0f} % of what was scanned.</source>
@@ -3508,6 +3552,10 @@
             <translation>Raden har {count} celler under {headings} rubriker; kontrollera citattecknen.</translation>
         </message>
         <message>
+            <source>The same at the front edge</source>
+            <translation>Detsamma vid framkanten</translation>
+        </message>
+        <message>
             <source>The same person stands in line {line}.</source>
             <translation>Samma person står på rad {line}.</translation>
         </message>
@@ -4056,6 +4104,10 @@
             <translation>Tjocklek</translation>
         </message>
         <message>
+            <source>Thickness below which it is warned of; the material's if left out</source>
+            <translation>Tjocklek under vilken det varnas; materialets om den utelämnas</translation>
+        </message>
+        <message>
             <source>Thickness of the layer between cover and base; 0 for none</source>
             <translation>Tjocklek på lagret mellan överdrag och bas; 0 för inget</translation>
         </message>
@@ -4412,12 +4464,24 @@
             <translation>Det som inte kan läsas får sitt standardvärde vid nästa start; filen behålls bredvid.</translation>
         </message>
         <message>
+            <source>What it is prescribed as, a kind of the pad library; its shape if left out</source>
+            <translation>Vad den ordineras som, en sort ur pelottbiblioteket; dess form om den utelämnas</translation>
+        </message>
+        <message>
             <source>What lies ahead of the metatarsal heads, in place of the scanned toes</source>
             <translation>Vad som ligger framför metatarsalhuvudena, i stället för de skannade tårna</translation>
         </message>
         <message>
             <source>What the edge of the insole follows</source>
             <translation>Vad inläggets kant följer</translation>
+        </message>
+        <message>
+            <source>What the pad looks like from above</source>
+            <translation>Hur pelotten ser ut uppifrån</translation>
+        </message>
+        <message>
+            <source>What the shell is made of; a material of the clinic's table</source>
+            <translation>Vad skalet är gjort av; ett material ur klinikens tabell</translation>
         </message>
         <message>
             <source>What the stroke does to the surface</source>
@@ -4430,6 +4494,10 @@
         <message>
             <source>Where each part lies</source>
             <translation>Var varje del ligger</translation>
+        </message>
+        <message>
+            <source>Where the shell ends in front, from border to border</source>
+            <translation>Var skalet slutar framtill, från kant till kant</translation>
         </message>
         <message>
             <source>Widen the pad</source>

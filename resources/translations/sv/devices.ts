@@ -212,10 +212,6 @@
             <translation>Kantens höjd bakom hälen, över hälens botten</translation>
         </message>
         <message>
-            <source>How far the medial arch is lowered below the scan</source>
-            <translation>Hur mycket det mediala valvet sänks under skanningen</translation>
-        </message>
-        <message>
             <source>Import a device…</source>
             <translation>Importera en inläggstyp…</translation>
         </message>

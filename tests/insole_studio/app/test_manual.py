@@ -17,18 +17,22 @@ from PySide6.QtCore import QObject, Qt, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QPushButton
+from value_reference import each_part, rows_of
 
 import insole_studio.features
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.insole.elements import CORRECTION_TYPES
+from insole_core.insole.fields import declared
 from insole_core.resources import resource_path
 from insole_studio.app import help_actions, manual_pages
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.manual_pages import PAGE_OF_MODULE, PAGE_OF_TOOL, manual_page, page_of_module
 from insole_studio.cli.main import COMMANDS, command_parser
 from insole_studio.services.stage_window import StageWindow
+from insole_studio.texts import translation_into
 from insole_studio.widgets.tab_order import StageFrame
 
 MANUAL = Path(__file__).parents[3] / "docs" / "manual"
@@ -226,3 +230,23 @@ def test_every_command_is_described() -> None:
         assert f"insole-studio {command.NAME}" in names
     (distortion,) = (p for p in each_command(command_parser()) if p.prog.endswith(" distortion"))
     assert "--serial" in help_of(distortion)
+
+
+def test_the_manual_tells_every_value_of_a_prescription_in_both_languages() -> None:
+    english, swedish = (
+        {
+            (kind.__name__, row.key, number): row
+            for _, _, kind in each_part()
+            for number, row in enumerate(rows_of(kind, translation_into(language)))
+        }
+        for language in ("en", "sv")
+    )
+    assert {key[:2] for key in english} == {
+        (kind.__name__, name) for _, _, kind in each_part() for name in declared(kind)
+    }
+    assert [row.key for row in english.values() if not row.tip] == []
+    assert [key for key, row in english.items() if row.tip == swedish[key].tip] == []
+    lift, turn = english["FullLift", "heads_share", 1], swedish["HeelSkive", "slope_deg", 1]
+    assert lift[:3] == ("At the heads", "0 to 100 %", "50 %")
+    assert turn[:3] == ("Lutning", "5 till 30 grader", "15°")
+    assert set(CORRECTION_TYPES.values()) <= {kind for _, _, kind in each_part()}

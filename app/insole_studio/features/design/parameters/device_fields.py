@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
-from insole_core.insole.fields import Range, ranges_of
+from insole_core.insole.fields import Range, declared, ranges_of
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
@@ -69,7 +69,7 @@ SLIDERS: dict[str, _Slider] = {
     ),
     "fill": _Slider(
         lambda: label_of(Finish, "arch_fill_mm"),
-        lambda: tr("How far the medial arch is lowered below the scan"),
+        lambda: translate_core_message(declared(Finish)["arch_fill_mm"].effect),
         lambda finish: finish.arch_fill_mm,
         lambda finish, value: replace(finish, arch_fill_mm=value),
         ranges_of(Finish)["arch_fill_mm"],
