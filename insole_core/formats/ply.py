@@ -37,6 +37,7 @@ _TYPES = {
 }  # fmt: skip
 _POSITION, _NORMAL, _COLOR = ("x", "y", "z"), ("nx", "ny", "nz"), ("red", "green", "blue")
 _FACES = ("vertex_indices", "vertex_index")
+_PADDING = b"\x00 \r\n\t"
 _WRITTEN_VERTEX = [("position", "<f4", 3)]
 _WRITTEN_COLOR = [("color", "u1", 3)]
 _WRITTEN_TRIANGLE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
@@ -223,6 +224,8 @@ def _read_binary(
             found, used = read
             polygons = found if element.name == "face" else polygons
             body = body[used:]
+    if bytes(body).strip(_PADDING):
+        raise _incomplete(elements, source)
     return tables, polygons
 
 
@@ -307,8 +310,8 @@ def _number(content: memoryview, order: str) -> int:
 
 def _incomplete(elements: list[_Element], source: ScanContent) -> InputError:
     return InputError(
-        "{path} declares {declared} points and triangles, but it does not hold as many; it is "
-        "damaged or cut off, so export it again.",
+        "{path} declares {declared} points and triangles, but it does not hold exactly as many; "
+        "it is damaged or cut off, so export it again.",
         path=source.path,
         declared=sum(element.count for element in elements),
     )

@@ -8704,8 +8704,8 @@
             <translation>{path} anger något två gånger eller utan antal i sitt huvud; exportera den på nytt.</translation>
         </message>
         <message>
-            <source>{path} declares {declared} points and triangles, but it does not hold as many; it is damaged or cut off, so export it again.</source>
-            <translation>{path} anger {declared} punkter och trianglar, men innehåller inte så många; den är skadad eller avskuren, så exportera den på nytt.</translation>
+            <source>{path} declares {declared} points and triangles, but it does not hold exactly as many; it is damaged or cut off, so export it again.</source>
+            <translation>{path} anger {declared} punkter och trianglar, men innehåller inte precis så många; den är skadad eller avskuren, så exportera den på nytt.</translation>
         </message>
         <message>
             <source>{path} declares {declared} triangles and holds {held}; it is damaged or cut off, so export it again.</source>

@@ -11,6 +11,7 @@ import trimesh
 
 from insole_core.errors import InputError
 from insole_core.formats.obj import write_obj
+from insole_core.formats.ply import write_ply
 from insole_core.formats.stl import write_ascii_stl, write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.scans.mesh_file import read_mesh
@@ -22,6 +23,7 @@ def text_ply(mesh: TriangleMesh, path: Path) -> None:
 
 WRITERS: dict[str, Callable[[TriangleMesh, Path], None]] = {
     "foot.ply": text_ply,
+    "binary.ply": write_ply,
     "binary.stl": write_stl,
     "text.stl": write_ascii_stl,
     "foot.obj": write_obj,
@@ -52,11 +54,26 @@ def test_a_ply_holds_as_much_as_it_declares(
     refuse(path, text[: text.rindex(b"\n", 0, -1) + 1], "damaged or cut off")
     line = f"element face {len(left_mesh.triangles)}".encode()
     for declared in (b"1000000000", b"0", str(len(left_mesh.triangles) - 1).encode()):
-        refuse(path, text.replace(line, b"element face " + declared), "does not hold as many")
+        refuse(
+            path, text.replace(line, b"element face " + declared), "does not hold exactly as many"
+        )
     for declared in (b"-5", b"many", b"7" * 400, b""):
         refuse(path, text.replace(line, b"element face " + declared), "without a number")
     refuse(path, text.replace(line, line + b"\n" + line), "declares something twice")
     refuse(path, text.replace(b"end_header", b"no_header"), "no header of a PLY")
+
+
+@pytest.mark.parametrize("content", ["binary.ply"], indirect=True)
+def test_a_binary_ply_holds_as_much_as_it_declares(
+    content: tuple[Path, bytes], left_mesh: TriangleMesh
+) -> None:
+    path, whole = content
+    held = len(left_mesh.triangles)
+    for declared in (held - 1, held + 1):
+        wrong = whole.replace(f"face {held}".encode(), f"face {declared}".encode())
+        refuse(path, wrong, "does not hold exactly as many")
+    path.write_bytes(whole + b"\r\n" + bytes(2))
+    assert len(read_mesh(path).mesh.triangles) == held
 
 
 @pytest.mark.parametrize("content", ["binary.stl"], indirect=True)
