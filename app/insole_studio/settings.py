@@ -116,7 +116,7 @@ def peek_settings(path: Path) -> Settings:
 
 
 def save_settings(settings: Settings, path: Path) -> None:
-    """Write the settings; those of another version that shares the file stay in it.
+    """Write the settings, if they changed; those of another version that shares the file stay.
 
     Raises
     ------
@@ -125,6 +125,15 @@ def save_settings(settings: Settings, path: Path) -> None:
     """
     make_output_folder(path.parent)
     own = asdict(settings)
-    everything = entries_of_others(path, own) | own
+    text = json.dumps(entries_of_others(path, own) | own, indent=1)
+    if _holds(path, text):
+        return
     with replacing_file(path.resolve()) as beside:  # whoever keeps them elsewhere has made a link
-        beside.write_text(json.dumps(everything, indent=1), encoding="utf-8")
+        beside.write_text(text, encoding="utf-8")
+
+
+def _holds(path: Path, text: str) -> bool:
+    try:
+        return path.read_bytes() == text.encode()
+    except OSError:
+        return False
