@@ -86,21 +86,26 @@ class ZipArchive:
             When it is larger than `most_bytes`, whatever the archive states.
         """
         entry = self._entries[name]
+        if entry.file_size > most_bytes:
+            raise self._too_large(name, most_bytes)
         try:
             content = self._inflated(entry, most_bytes)
         except (*_UNREADABLE, zlib.error) as error:
             raise self._damaged(name) from error
         if len(content) > most_bytes:
-            raise InputError(
-                "{file} is larger than {limit_mb} MB, far more than such a file has; do not use "
-                "the archive {archive}.",
-                file=name,
-                archive=self.name,
-                limit_mb=most_bytes // 2**20,
-            )
+            raise self._too_large(name, most_bytes)
         if len(content) != entry.file_size or zlib.crc32(content) != entry.CRC:
             raise self._damaged(name)
         return content
+
+    def _too_large(self, name: str, most_bytes: int) -> InputError:
+        return InputError(
+            "{file} is larger than {limit_mb} MB, far more than such a file has; do not use "
+            "the archive {archive}.",
+            file=name,
+            archive=self.name,
+            limit_mb=most_bytes // 2**20,
+        )
 
     def _add(self, entry: zipfile.ZipInfo) -> None:
         name = entry.filename.replace("\\", "/")  # some programs for Windows write them

@@ -127,6 +127,14 @@ def _too_large(name: str) -> str:
 
 
 def _check_entries(archive: ZipArchive) -> None:
+    if archive.stated_bytes > MAX_ARCHIVE_BYTES or len(archive.names) > MAX_ARCHIVE_FILES:
+        raise InputError(
+            "{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session "
+            "has; do not use this file.",
+            archive=archive.name,
+            size_gb=archive.stated_bytes / 2**30,
+            files=len(archive.names),
+        )
     for name in archive.names:
         path = PurePosixPath(name)
         if path.is_absolute() or ".." in path.parts or ":" in name:
@@ -136,14 +144,6 @@ def _check_entries(archive: ZipArchive) -> None:
                 archive=archive.name,
                 file=name,
             )
-    if archive.stated_bytes > MAX_ARCHIVE_BYTES or len(archive.names) > MAX_ARCHIVE_FILES:
-        raise InputError(
-            "{archive} would unpack to {size_gb:.1f} GB in {files} files, far more than a session "
-            "has; do not use this file.",
-            archive=archive.name,
-            size_gb=archive.stated_bytes / 2**30,
-            files=len(archive.names),
-        )
 
 
 def _prefix(names: list[str]) -> str:

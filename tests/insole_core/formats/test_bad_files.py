@@ -6,6 +6,7 @@ import base64
 import io
 import json
 import re
+import struct
 import subprocess
 import sys
 import zipfile
@@ -84,15 +85,10 @@ def packed(*names: str) -> Change:
     return change
 
 
-def bomb(_: bytes) -> bytes:
-    file = io.BytesIO()
-    with (
-        zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive,
-        archive.open("foot.amf", "w", force_zip64=True) as inner,
-    ):
-        for _number in range(160):
-            inner.write(bytes(4_000_000))
-    return file.getvalue()
+def bomb(content: bytes) -> bytes:
+    archive = bytearray(packed("foot.amf")(content))
+    struct.pack_into("<I", archive, archive.rindex(b"PK\1\2") + 24, 700 * 2**20)
+    return bytes(archive)
 
 
 def swapped(old: bytes, new: bytes) -> Change:
