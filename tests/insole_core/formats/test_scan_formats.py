@@ -16,6 +16,8 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from insole_core.errors import InputError
+from insole_core.formats.reading import read_raw
+from insole_core.formats.scan_content import file_content
 from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.three_mf import write_3mf
 from insole_core.geometry.mesh import TriangleMesh
@@ -200,6 +202,13 @@ def points_with(columns: list[str], mesh: TriangleMesh) -> np.ndarray:
     return np.column_stack([parts[name] for name in columns])
 
 
+def written_points(columns: list[str], mesh: TriangleMesh) -> str:
+    rows = points_with(columns, mesh)
+    return "".join(" ".join(f"{value:.4f}".rstrip("0").rstrip(".") if "rgb" in columns
+                            else f"{value:.4f}" for value in row) + "\n"
+                   for row in rows)  # fmt: skip
+
+
 def comma(text: str) -> str:
     return text.replace(".", ",")
 
@@ -216,19 +225,32 @@ def comma(text: str) -> str:
     ],
     ids=["points", "commas", "head", "separated", "semicolons", "pts"],
 )  # fmt: skip
-def test_points_become_a_surface_that_faces_outwards(
+def test_points_of_any_notation_are_read(
     left_mesh: TriangleMesh,
     tmp_path: Path,
     name: str,
     columns: list[str],
     form: Callable[[str], str],
 ) -> None:
-    rows = points_with(columns, left_mesh)
-    text = "".join(" ".join(f"{value:.4f}".rstrip("0").rstrip(".") if "rgb" in columns
-                            else f"{value:.4f}" for value in row) + "\n"
-                   for row in rows)  # fmt: skip
-    (tmp_path / name).write_text(form(text))
-    read = read_mesh(tmp_path / name)
+    (tmp_path / name).write_text(form(written_points(columns, left_mesh)))
+    raw = read_raw(file_content(tmp_path / name))
+    assert raw.vertices == pytest.approx(left_mesh.vertices, abs=1e-4)
+    for found, known, column in (
+        (raw.normals, left_mesh.vertex_normals, "normals"),
+        (raw.colors, left_mesh.colors, "rgb"),
+    ):
+        if column in columns:
+            assert found == pytest.approx(known, abs=1e-4)
+        else:
+            assert found is None
+
+
+@pytest.mark.parametrize("columns", [["xyz"], ["xyz", "rgb", "normals"]])
+def test_points_become_a_surface_that_faces_outwards(
+    left_mesh: TriangleMesh, tmp_path: Path, columns: list[str]
+) -> None:
+    (tmp_path / "foot.xyz").write_text(written_points(columns, left_mesh))
+    read = read_mesh(tmp_path / "foot.xyz")
     assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=0.02)
     assert largest_distance_mm(read.mesh, left_mesh) < 3.0
     assert (read.mesh.colors is not None) == ("rgb" in columns)

@@ -73,7 +73,7 @@ FACTORS: dict[str, tuple[Any, ...]] = {
     "chamfer_mm": (0.0, 2.5),
     "cover_mm": (0.0, 3.0),
     "trim": ("full", "usual", "own"),
-    "grid_mm": (0.5, 1.0, 2.0),
+    "grid_mm": (1.0, 2.0),
     "heel_pitch_mm": (0.0, 25.0),
     "pad_mm": (0.0, 5.0, -1.5),
 }
@@ -131,7 +131,9 @@ def design_of(row: dict[str, Any], foot: Foot) -> InsoleDesign:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("row", list(pairwise()), ids=lambda _: "")
+@pytest.mark.parametrize(
+    "row", [*pairwise(), {**next(pairwise()), "grid_mm": 0.5}], ids=lambda _: ""
+)
 def test_every_combination_is_a_sound_solid(row, left_foot: Foot, right_foot: Foot):
     foot = left_foot if row["side"] is Side.LEFT else right_foot
     insole = build_insole(foot, design_of(row, foot))
@@ -148,7 +150,6 @@ def test_every_combination_is_a_sound_solid(row, left_foot: Foot, right_foot: Fo
 )
 def test_any_combination_is_a_sound_solid(row, left_foot: Foot, right_foot: Foot):
     foot = left_foot if row["side"] is Side.LEFT else right_foot
-    row = {**row, "grid_mm": max(row["grid_mm"], 1.0)}
     assert faults(insole_solid(build_insole(foot, design_of(row, foot)))) == []
 
 
