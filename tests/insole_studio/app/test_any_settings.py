@@ -107,7 +107,7 @@ def in_folder(folder: Path) -> UserPaths:
 
 @pytest.mark.slow
 @settings(
-    max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
+    max_examples=8, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
 )
 @given(stored=SETTINGS, origin=ORIGINS, copy=st.binary(max_size=40) | st.none())
 def test_the_window_starts_whatever_is_stored(
