@@ -55,14 +55,19 @@ def split_along(
     """
     over = values - level
     side = np.where(np.abs(over) <= _ON_LINE_MM, 0, np.sign(over)).astype(np.int8)
-    sides = side[triangles]
-    is_cut = (sides.min(axis=1) < 0) & (sides.max(axis=1) > 0)
-    touched = is_cut & (sides == 0).any(axis=1)
-    crossed = is_cut & ~touched
-    alone = _rolled(triangles[crossed], sides[crossed] == -sides[crossed].sum(axis=1)[:, None])
-    on_line = _rolled(triangles[touched], sides[touched] == 0)
+    first, second, third = (side[corner] for corner in triangles.T)
+    is_cut = np.minimum(np.minimum(first, second), third) < 0
+    is_cut &= np.maximum(np.maximum(first, second), third) > 0
+    cut = triangles[is_cut]
+    sides = side[cut]
+    touched = (sides == 0).any(axis=1)
+    crossed = ~touched
+    alone = _rolled(cut[crossed], sides[crossed] == -sides[crossed].sum(axis=1)[:, None])
+    on_line = _rolled(cut[touched], sides[touched] == 0)
     pairs = np.concatenate([alone[:, [0, 1]], alone[:, [0, 2]], on_line[:, [1, 2]]])
-    ends, number = np.unique(np.sort(pairs, axis=1), axis=0, return_inverse=True)
+    key = pairs.min(axis=1).astype(np.int64) * len(values) + pairs.max(axis=1)
+    key, number = np.unique(key, return_inverse=True)
+    ends = np.stack(np.divmod(key, len(values)), axis=1)
     new = (len(values) + number.ravel()).astype(np.int32)
     count = len(alone)
     on_second, on_third, on_opposite = new[:count], new[count : 2 * count], new[2 * count :]
@@ -77,8 +82,8 @@ def split_along(
         np.stack([d, e, on_opposite], axis=1),
         np.stack([d, on_opposite, f], axis=1),
     ]
-    first, last = values[ends[:, 0]], values[ends[:, 1]]
-    split = Split(ends.astype(np.int32), (level - first) / (last - first))
+    start, end = values[ends[:, 0]], values[ends[:, 1]]
+    split = Split(ends.astype(np.int32), (level - start) / (end - start))
     return split, np.concatenate(parts).astype(np.int32, copy=False)
 
 

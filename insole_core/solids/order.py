@@ -25,7 +25,7 @@ from insole_core.solids.posts import INSET_MM, post_length_mm
 from insole_core.solids.shell_body import least_thickness
 from insole_core.solids.shop import Shop
 from insole_core.solids.simplification import Simplified, simplify
-from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, make_solid
+from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, edge_notes, make_solid
 
 CHECKS_OF: dict[Kind, tuple[CheckName, ...]] = {
     "insole": CHECK_NAMES,
@@ -248,7 +248,7 @@ def _reduced(solid: TriangleMesh, order: Order) -> Simplified:
 
 
 def _notes(insole: Insole, order: Order) -> tuple[str, ...]:
-    notes = []
+    notes = [*edge_notes(insole)] if order.kind == "insole" else []
     missing = missing_letters("".join(order.mark))
     if missing:
         notes.append(

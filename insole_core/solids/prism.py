@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
-from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.primitives.height_field import HeightField
+from insole_core.messages import Message
+from insole_core.solids.rounded_edge import EdgeArcs, EdgePlaces, RoundedEdge
 from insole_core.solids.solid_outline import OutlineDistance
 from insole_core.solids.trimmed_grid import Plan
 
@@ -31,13 +33,15 @@ class Walls:
     draft_deg : (ny, nx) float64
         Inclination of the wall that is nearest to each node, from the vertical; positive: wider at
         the bottom.
-    cut_mm
-        By how much the upper edge is cut off at distances (n,) from it; the wall keeps at least
-        half of its height.
+    chamfer_mm
+        Width of the bevel along the upper edge; the wall keeps at least half of its height.
+    edge
+        The rounding of the upper edge; None for a sharp one.
     """
 
     draft_deg: FloatArray
-    cut_mm: Callable[[FloatArray], FloatArray]
+    chamfer_mm: float
+    edge: RoundedEdge | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,10 +102,10 @@ class Prism:
         top, bottom = plan.carry(faces.top_mm), plan.carry(faces.bottom_mm)
         shaped = self.walls if isinstance(self.walls, Walls) else None
         draft = np.asarray(self.walls) if shaped is None else plan.carry(shaped.draft_deg)
-        lean = _lean(plan, faces, self.outline, draft)
+        lean, out = _lean(plan, faces, self.outline, draft), np.zeros_like(places)
         if shaped is not None:
             lean[_inner(plan, draft > 0)] = 0
-            top = top - np.minimum(shaped.cut_mm(plan.inside_mm), (top - bottom) / 2)
+            top, out = self._edged(shaped, faces, top, bottom)
         fans = _Fans.of(plan, places, faces.tips[:, :2], lattice.step_mm)
         lean = fans.with_tips(_without_folds(fans.halved, places, lean))
         places, top, bottom = (
@@ -117,9 +121,45 @@ class Prism:
             below = replace(lattice, heights_mm=faces.bottom_mm).height_at((places + lean)[moved])
             most = np.where(draft[moved] > 0, bottom[moved], top[moved] - LEAST_WALL_MM)
             bottom[moved] = np.fmin(below, most)
+        out = _without_folds(plan.triangles, places, fans.with_tips(out))
         return np.concatenate(
-            [np.column_stack([places, top]), np.column_stack([places + lean, bottom])]
+            [np.column_stack([places + out, top]), np.column_stack([places + lean, bottom])]
         )
+
+    def edge_notes(self, faces: Faces) -> tuple[Message, ...]:
+        """Say where the edge between two faces is not rounded as asked for."""
+        if not isinstance(self.walls, Walls) or self.walls.edge is None:
+            return ()
+        return self.walls.edge.notes(self._arcs(self.walls, self.walls.edge, faces))
+
+    def _arcs(self, walls: Walls, edge: RoundedEdge, faces: Faces) -> EdgeArcs:
+        return edge.arcs(self.lattice, faces.top_mm, faces.bottom_mm, walls.draft_deg)
+
+    def _edged(
+        self, walls: Walls, faces: Faces, top: FloatArray, bottom: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the heights (n,) of the top with its edge, and by how much it moves (n, 2)."""
+        inside, edged, out = self.plan.inside_mm, top.copy(), np.zeros((len(top), 2))
+        if walls.edge is not None and self._beside_edge is not None:
+            band, outward, at = self._beside_edge
+            arcs = self._arcs(walls, walls.edge, faces)
+            edged[band], out_mm = arcs.on_arc(at, inside[band], top[band])
+            out[band] = out_mm[:, None] * outward
+        bevel = np.maximum(walls.chamfer_mm - inside, 0)
+        edged = np.minimum(edged, top - np.minimum(bevel, (top - bottom) / 2))
+        return np.maximum(edged, np.minimum(top, bottom + LEAST_WALL_MM)), out
+
+    @cached_property
+    def _beside_edge(self) -> tuple[IntArray, FloatArray, EdgePlaces] | None:
+        """The vertices (n,) of the rounded edge, outwards (n, 2), and where along it they lie."""
+        if not isinstance(self.walls, Walls) or self.walls.edge is None:
+            return None
+        plan, edge = self.plan, self.walls.edge
+        band = np.flatnonzero(plan.inside_mm < edge.reach_mm)
+        nodes = self.lattice.nodes[:, :2].reshape(*self.lattice.heights_mm.shape, 2)
+        outward = plan.carry(self.outline.outward)[band]
+        points = plan.carry(nodes)[band] + plan.inside_mm[band, None] * outward
+        return band, outward, edge.beside(points)
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -21,11 +20,10 @@ from insole_core.solids.ball_offset import PITCH_MM, parallel_below
 from insole_core.solids.front_edge import behind_front_mm
 from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside
 from insole_core.solids.prism import Walls
+from insole_core.solids.rounded_edge import RoundedEdge, edge_contours_mm
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
-_FLATTENED_MM = 0.04
-"""By how much the facets of a rounded edge may lie inside of it."""
 _FILLET_MM = (0.5, 8.0)
 """Difference of height within which the wall of a post is rounded into the shell above it, least
 and greatest: as much as the shell is above the ground, so that the post's sole does not grow."""
@@ -211,22 +209,21 @@ def least_thickness(insole: Insole, shell: Shell) -> HeightField:
     return replace(field, heights_mm=_least_mm(shell, share))
 
 
-def shell_walls(shell: Shell, medial_sign: float, edge: OutlineDistance) -> Walls:
+def shell_walls(
+    shell: Shell, medial_sign: float, edge: OutlineDistance, outline: FloatArray
+) -> Walls:
     """Return the walls of a shell: the draft of both borders blends round heel and toes."""
     medial = (1 + medial_sign * edge.outward[..., 0]) / 2
     draft = shell.draft_lateral_deg + (shell.draft_medial_deg - shell.draft_lateral_deg) * medial
-    return Walls(draft, partial(_cut_mm, shell.edge_radius_mm, shell.chamfer_mm))
+    is_round = bool(edge_contours_mm(shell.edge_radius_mm))
+    rounded = RoundedEdge.along(outline, shell.edge_radius_mm) if is_round else None
+    return Walls(draft, shell.chamfer_mm, rounded)
 
 
-def edge_contours_mm(shell: Shell) -> tuple[float, ...]:
+def bends_mm(shell: Shell) -> tuple[float, ...]:
     """Return the distances from the outline at which the upper edge bends, in ascending order."""
-    radius_mm = shell.edge_radius_mm
-    bends = {shell.chamfer_mm} if shell.chamfer_mm > 0 else set()
-    if radius_mm > _FLATTENED_MM:
-        half_angle = np.arccos(1 - _FLATTENED_MM / radius_mm)
-        count = int(np.ceil(np.pi / 4 / half_angle))
-        bends |= {radius_mm * (1 - np.cos(np.pi / 2 * k / count)) for k in range(1, count + 1)}
-    return tuple(sorted(float(bend) for bend in bends))
+    bevel = {shell.chamfer_mm} if shell.chamfer_mm > 0 else set()
+    return tuple(sorted(bevel | set(edge_contours_mm(shell.edge_radius_mm))))
 
 
 def taper_length_mm(shell: Shell, outline: FloatArray) -> float:
@@ -238,10 +235,3 @@ def _least_mm(shell: Shell, share: FloatArray) -> FloatArray:
     """Return the least thickness where a share of the taper from the front edge is reached."""
     material = material_of(shell)
     return material.least_edge_mm + (material.least_mm - material.least_edge_mm) * share
-
-
-def _cut_mm(radius_mm: float, chamfer_mm: float, inside_mm: FloatArray) -> FloatArray:
-    """Return by how much rounding and bevel lower the upper edge at a distance from it."""
-    short = np.clip(radius_mm - inside_mm, 0, radius_mm)
-    rounded = radius_mm - np.sqrt(radius_mm**2 - short**2)
-    return np.maximum(rounded, np.maximum(chamfer_mm - np.maximum(inside_mm, 0), 0))

@@ -15,13 +15,14 @@ from insole_core.insole.build import Insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.primitives.height_field import HeightField
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.posts import POST_BAND_MM
 from insole_core.solids.prism import Faces, Prism, band_mm
 from insole_core.solids.shell_body import (
     Body,
     BodyPlan,
-    edge_contours_mm,
+    bends_mm,
     made_surface,
     shell_walls,
 )
@@ -190,6 +191,20 @@ def closed_insole(
     return ClosedInsole(walled.between(faces), body_plan, body, walled, polygon)
 
 
+def edge_notes(insole: Insole) -> tuple[Message, ...]:
+    """Say where the edge of an insole is rounded otherwise than asked for; a sentence each.
+
+    Raises
+    ------
+    DesignError
+        If the outline leaves no insole.
+    """
+    if insole.design.shell is None or insole.design.shell.edge_radius_mm == 0:
+        return ()
+    closed = closed_insole(insole)
+    return closed.prism.edge_notes(Faces(closed.body.top_mm, closed.body.bottom_mm))
+
+
 def with_walls_for(
     prism: Prism, design: InsoleDesign, outline: FloatArray, contact: HeightField
 ) -> Prism:
@@ -204,9 +219,8 @@ def with_walls_for(
     if reach_mm == before.reach_mm:
         return prism
     distance = outline_distance(outline, contact, reach_mm)
-    return replace(
-        prism, outline=distance, walls=shell_walls(shell, design.side.medial_sign, distance)
-    )
+    walls = shell_walls(shell, design.side.medial_sign, distance, outline)
+    return replace(prism, outline=distance, walls=walls)
 
 
 def _reach_mm(shell: Shell, contact: HeightField) -> float:
@@ -214,8 +228,7 @@ def _reach_mm(shell: Shell, contact: HeightField) -> float:
     inward_deg = min(shell.draft_medial_deg, shell.draft_lateral_deg)
     return max(
         band_mm(float(contact.heights_mm.max()), inward_deg),
-        shell.edge_radius_mm,
-        shell.chamfer_mm,
+        max(bends_mm(shell), default=0.0),
         POST_BAND_MM if shell.posts else 0.0,
     )
 
@@ -226,7 +239,7 @@ def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedIn
     distance = _distance_within(made, polygon, _reach_mm(shell, insole.contact))
     body_plan = BodyPlan.of(insole, polygon, distance)
     body = body_plan.body(insole.contact, made_mm=field.heights_mm)
-    contours_mm = edge_contours_mm(shell)
+    contours_mm = bends_mm(shell)
     plan, tips = _plan(made, distance, max(contours_mm, default=0.0), contours_mm)
     at = tips[:, :2]
     top, bottom = (
@@ -234,7 +247,7 @@ def _closed_shell(insole: Insole, shell: Shell, polygon: FloatArray) -> ClosedIn
     )
     top += tips[:, 2] - field.height_at(at)
     faces = Faces(body.top_mm, body.bottom_mm, np.column_stack([at, top, bottom]))
-    walls = shell_walls(shell, insole.design.side.medial_sign, distance)
+    walls = shell_walls(shell, insole.design.side.medial_sign, distance, polygon)
     walled = Prism(plan, field, distance, walls)
     return ClosedInsole(walled.between(faces), body_plan, body, walled, polygon)
 

@@ -2452,6 +2452,10 @@
             <translation>Runt stycket har blocket {over:.1f} mm för lite för fräsen ”{cutter}”; ta ett större block eller en tunnare fräs för konturen.</translation>
         </message>
         <message>
+            <source>Rounding a steep rim takes up to {lowered_mm:.1f} mm off its height, most at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; design the rim higher by as much, or make the edge radius smaller, if its height counts.</source>
+            <translation>Rundningen av en brant rand tar upp till {lowered_mm:.1f} mm av dess höjd, mest vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm; gör randen lika mycket högre, eller kantradien mindre, om höjden är viktig.</translation>
+        </message>
+        <message>
             <source>Rounding of the post's lower edge</source>
             <translation>Avrundning av kilens nedre kant</translation>
         </message>
@@ -3054,6 +3058,10 @@
         <message>
             <source>The drawn outline of the insole crosses itself; move its points apart.</source>
             <translation>Inläggets ritade kontur korsar sig själv; flytta isär punkterna.</translation>
+        </message>
+        <message>
+            <source>The edge is rounded by {least_mm:.1f} mm instead of {radius_mm:g} mm where the insole is too thin or its rim too steep for more, most at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm, and less than asked for over {share:.0%} of its length.</source>
+            <translation>Kanten är rundad med {least_mm:.1f} mm i stället för {radius_mm:g} mm där inlägget är för tunt eller dess rand för brant för mer, mest vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm, och mindre än begärt längs {share:.0%} av sin längd.</translation>
         </message>
         <message>
             <source>The environment variable {variable} sends connections to another server than the address of the database names; remove it, and name the server in the address.</source>

@@ -504,10 +504,6 @@
             <translation>Blocket vänds på styrpinnar, och undersidan fräses också</translation>
         </message>
         <message>
-            <source>The font has no letters {letters}; a likeness or “?” stands for them.</source>
-            <translation>Typsnittet saknar bokstäverna {letters}; en liknande eller ”?” står i stället.</translation>
-        </message>
-        <message>
             <source>The insoles of both feet in one order</source>
             <translation>Inläggen för båda fötterna i en beställning</translation>
         </message>

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from insole_core.cases.case_record import Patient
-from insole_core.export.lettering import missing_letters
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.checks import Finding
@@ -191,19 +190,12 @@ def summary_of_nest(nest: Nest) -> str:
 
 
 def notes_of(parts: Sequence[Part]) -> list[str]:
-    """Return what is unusual about the design of each part, and of what its letters are like."""
+    """Return what is unusual about the design of each part, and what is made otherwise."""
     return [
         f"{_side(part)}: {note}" if len(parts) > 1 else note
         for part in parts
-        for note in (*map(translate_core_message, part.warnings), *_letter_notes(part))
+        for note in map(translate_core_message, (*part.warnings, *part.notes))
     ]
-
-
-def _letter_notes(part: Part) -> list[str]:
-    """Return a note if the font lacks letters of the part's identification."""
-    missing = missing_letters("".join(part.order.mark))
-    text = tr("The font has no letters {letters}; a likeness or “?” stands for them.")
-    return [text.format(letters=missing)] if missing else []
 
 
 def side_text(part: Part) -> str:
