@@ -165,6 +165,7 @@ MESH_FORMATS: Final = (
 PROGRAM: Final = FileFormat(
     name="G-code", endings=(".nc", ".ngc", ".gcode", ".tap", ".cnc"), role="gcode"
 )  # programs of other makers tell the path of the drawing, so they may name somebody
+OUTLINES: Final = FileFormat(name="DXF", endings=(".dxf",), role="other", names_nobody=True)
 JOB_SHEET: Final = FileFormat(
     name="PDF", endings=("-job-sheet.pdf",), role="job_sheet", names_nobody=True
 )
@@ -178,7 +179,7 @@ PIN_HOLES: Final = FileFormat(
 CHECKS: Final = FileFormat(name="JSON", endings=("-checks.json",), role="checks", names_nobody=True)
 
 _FORMATS: Final[tuple[FileFormat, ...]] = (
-    *MESH_FORMATS, PIN_HOLES, PROGRAM, JOB_SHEET, SETUP_SHEET, CHECKS
+    *MESH_FORMATS, PIN_HOLES, PROGRAM, OUTLINES, JOB_SHEET, SETUP_SHEET, CHECKS
 )  # fmt: skip
 _BY_SUFFIX: Final = {end: form for form in MESH_FORMATS for end in form.endings}
 SCAN_SUFFIXES: Final = tuple(end for form in MESH_FORMATS if form.reader for end in form.endings)

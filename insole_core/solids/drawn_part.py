@@ -14,13 +14,13 @@ from insole_core.export.insole_drawing import (
     Section,
 )
 from insole_core.foot.landmarks import Landmarks
-from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid
 from insole_core.insole.elements import Correction
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.messages import Translate
 from insole_core.solids.checks import survey_heights
 from insole_core.solids.order import Part
+from insole_core.solids.silhouette import polygons_of
 from insole_core.solids.simplification import to_manifold
 
 if TYPE_CHECKING:
@@ -36,8 +36,6 @@ _BESIDE_MM: Final = 1e-4
 """From a round place, where vertices may lie in the plane of a cut."""
 _OFF_FRONT_MM: Final = 5.0
 """From the front of a piece that ends behind the heads of the metatarsals."""
-_LEAST_MM2: Final = 0.01
-"""Of an area of a section; less is a sliver of the triangles."""
 
 
 def drawn_part(part: Part, translate: Translate = str) -> DrawnInsole | None:
@@ -62,8 +60,8 @@ def drawn_part(part: Part, translate: Translate = str) -> DrawnInsole | None:
         side=part.side,
         bounds_mm=solid.bounds_mm,
         heights=survey_heights(solid),
-        outline=_polygons(body.project()),
-        profile=_polygons(along.project()),
+        outline=polygons_of(body.project()),
+        profile=polygons_of(along.project()),
         sections=sections,
         lengthwise=lengthwise,
         elements=_elements(part, sections, translate),
@@ -94,17 +92,7 @@ def _stations(
 
 def _section(body: manifold3d.Manifold, name: str, at_mm: float) -> Section:
     cut = body.slice(at_mm + _BESIDE_MM)
-    return Section(name, at_mm, _polygons(cut))
-
-
-def _polygons(area: manifold3d.CrossSection) -> tuple[FloatArray, ...]:
-    found = (np.asarray(polygon, float) for polygon in area.to_polygons())
-    return tuple(polygon for polygon in found if abs(_area_mm2(polygon)) > _LEAST_MM2)
-
-
-def _area_mm2(polygon: FloatArray) -> float:
-    x, y = polygon.T
-    return float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+    return Section(name, at_mm, polygons_of(cut))
 
 
 def _elements(

@@ -18,7 +18,8 @@ from insole_core.export.sheet_terms import as_keyword, sheet_terms
 from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.files.atomic import write_text
 from insole_core.files.transaction import Transaction
-from insole_core.formats.file_formats import can_carry, check_solid_suffix
+from insole_core.formats.dxf import write_dxf
+from insole_core.formats.file_formats import OUTLINES, can_carry, check_solid_suffix
 from insole_core.formats.slicer_3mf import Printer, write_slicer_3mf
 from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.writing import write_solids
@@ -39,6 +40,7 @@ from insole_core.solids.checks import (
     survey_heights,
 )
 from insole_core.solids.order import Part, nest_parts
+from insole_core.solids.part_outlines import block_outline, mark_text, outlines_of
 from insole_core.solids.prescription_paper import NOBODY, Responsible, write_prescription_paper
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.zone_bodies import ZonedPart, placed_print
@@ -65,6 +67,8 @@ class ExportPaths:
     program, setup_sheet, pin_holes
         Of a router, from `workflows.mill`: what mills the pieces, the PDF for its operator, and
         what bores the holes for dowels into the spoil board.
+    outlines
+        DXF.
     """
 
     solid: Path
@@ -74,6 +78,7 @@ class ExportPaths:
     program: Path | None = None
     setup_sheet: Path | None = None
     pin_holes: Path | None = None
+    outlines: Path | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +111,7 @@ class ExportJob:
     materials
         What each side is made of, for the papers.
     block
-        In which a pair is nested; None for parts that lie as they were designed, on z = 0.
+        From which the parts are made, and in which a pair is nested; None for none.
     override
         Of blocking rules.
     ascii_stl
@@ -229,6 +234,11 @@ def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
             raise UsageError(
                 "{paper} is a paper, which is written as .pdf; change its suffix.", paper=paper
             )
+    if places.outlines is not None and places.outlines.suffix.lower() != OUTLINES.ending:
+        raise UsageError(
+            "{path} are outlines, which are written as .dxf; change its suffix.",
+            path=places.outlines,
+        )
     return ExportPaths(*(path and transaction.file(path) for path in vars(places).values()))
 
 
@@ -295,6 +305,9 @@ def run_export_job(
             )
         )
         write_job_sheet(sheets, beside.job_sheet, nesting, drawn, job.translate, keyword=keyword)
+    if beside.outlines is not None:
+        progress.step(0.7, "Writing the outlines")
+        _write_outlines(job, placed, beside.outlines)
     if beside.prescription is not None:
         progress.step(0.8, "Writing the prescription")
         write_prescription_paper(
@@ -323,6 +336,22 @@ def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> 
     ]
     title = " ".join(filter(None, ("Insole", label)))
     write_slicer_3mf(prints, path, job.printing.printer, title)
+
+
+def _write_outlines(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> None:
+    """Write the outlines of all parts, in the frame of the file, with their marks."""
+    drawn = [tuple(outlines_of(each.part, each.insole2file)) for each in placed]
+    known = job.identification.get("pseudonym", "")
+    marks = [
+        mark_text(" ".join(filter(None, (known, str(each.part.side)))), lines)
+        for each, lines in zip(placed, drawn, strict=True)
+    ]
+    outlines = [line for lines in drawn for line in lines]
+    if job.block is not None:
+        length, width, _ = job.block.sides_mm
+        middle = (width / 2, length / 2) if job.is_nested else marks[0].place_mm
+        outlines.append(block_outline(job.block, middle))
+    write_dxf(outlines, marks, path)
 
 
 def _mirrored(job: ExportJob) -> list[str]:

@@ -18,6 +18,7 @@ from insole_core.files.transaction import Transaction
 from insole_core.formats.file_formats import (
     CHECKS,
     JOB_SHEET,
+    OUTLINES,
     PIN_HOLES,
     PROGRAM,
     SETUP_SHEET,
@@ -93,6 +94,8 @@ class OrderChoice:
         For which printer or router; None for a file that any program reads.
     job_sheet, prescription, checks
         Which papers are written.
+    outlines
+        Whether the outlines are written too, as DXF.
     terms
         Quantity, colour and so on, for the shop.
     package
@@ -119,6 +122,7 @@ class OrderChoice:
     job_sheet: bool = True
     prescription: bool = False
     checks: bool = False
+    outlines: bool = False
     terms: OrderTerms = field(default_factory=OrderTerms)
     package: Package = ""
 
@@ -137,7 +141,8 @@ class OrderChoice:
         return replace(
             self, suffix="", ascii_stl=False, layered=False, material="", own_materials={},
             printing=None, milling=None,
-            job_sheet=False, prescription=False, checks=False, terms=OrderTerms(), package="",
+            job_sheet=False, prescription=False, checks=False, outlines=False,
+            terms=OrderTerms(), package="",
             pseudonym=self.pseudonym if relief else "", text=self.text if relief else "",
         )  # fmt: skip
 
@@ -284,7 +289,7 @@ def prepare(
             raise DesignError(
                 "A router mills the insole from a block, and none is chosen; choose the block."
             )
-        job = ExportJob(tuple(parts), shop, block=choice.block if len(parts) > 1 else None)
+        job = ExportJob(tuple(parts), shop, block=choice.block)
         how = choice.milling
         plan = plan_job(
             job, choice.block, how.machine, both_sides=how.both_sides, progress=progress
@@ -422,7 +427,7 @@ def _export_job(
         patient=_patient_facts(patient),
         responsible=responsible,
         materials={part.side: ordered_material(choice, part.insole.design) for part in group},
-        block=choice.block if len(group) > 1 else None,
+        block=choice.block,
         override=override,
         ascii_stl=choice.ascii_stl,
         terms=choice.terms,
@@ -530,6 +535,7 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Exp
         named(choice.milling is not None, PROGRAM.ending),
         named(choice.milling is not None, SETUP_SHEET.ending),
         named(choice.milling is not None and choice.milling.both_sides, PIN_HOLES.ending),
+        named(choice.outlines, OUTLINES.ending),
     )
 
 

@@ -84,6 +84,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--checks", action=OutputPath, metavar="checks.json", help="outcome of the checks"
     )
     papers.add_argument("--job-sheet", action=OutputPath, metavar="sheet.pdf")
+    papers.add_argument(
+        "--dxf", action=OutputPath, metavar="outlines.dxf",
+        help="outlines of insole, cover, block and shoe",
+    )  # fmt: skip
     papers.add_argument("--prescription-paper", action=OutputPath, metavar="prescription.pdf")
     papers.add_argument(
         "--pseudonym", default="", metavar="TEXT",
@@ -108,6 +112,7 @@ def places(arguments: argparse.Namespace) -> ExportPaths:
         arguments.gcode,
         arguments.setup_sheet,
         arguments.pin_holes,
+        arguments.dxf,
     )
 
 
@@ -181,7 +186,7 @@ def deliver(
         identification={"pseudonym": pseudonym(arguments)},
         responsible=responsible,
         materials={insole.design.side: _material(insole, arguments) for insole in insoles},
-        block=block if len(insoles) > 1 else None,
+        block=block,
         override=_override(arguments),
         ascii_stl=arguments.ascii,
         printing=print_arguments.printing(parts, arguments),

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import re
 import zipfile
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
+import ezdxf
 import numpy as np
 import pytest
 from read_pdf import bytes_of_pdf, text_of_pdf
@@ -27,8 +29,10 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.materials import read_materials
+from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.insole.prescription.shell import Shell
+from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
@@ -89,6 +93,52 @@ def test_a_pair_is_checked_as_it_is_nested(record: CaseRecord) -> None:
         finding = found["block"]
         assert finding.blocks  # type: ignore[attr-defined]
         assert "The pair needs a block of" in finding.sentence  # type: ignore[attr-defined]
+
+
+def inside_of_a_shoe() -> Shoe:
+    turn = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    places = zip(46 * np.sin(turn), 135 - 135 * np.cos(turn), strict=True)
+    return Shoe(name="42", inside_mm=tuple((float(x), float(y)) for x, y in places))
+
+
+@pytest.mark.parametrize("block", [None, "EVA pair"])
+def test_outlines_are_those_of_the_solids(
+    record: CaseRecord, block: str | None, tmp_path: Path
+) -> None:
+    """In mm, a layer each, in the frame of the file; marked by order and side, not by name."""
+    shoes = (inside_of_a_shoe(), None)
+    feet = tuple(
+        FootRecord.begun(foot.foot, NOWHERE, replace(foot.design, outline=Outline(shoe=shoe)))
+        for foot, shoe in zip(record.feet, shoes, strict=True)
+    )
+    choice = OrderChoice(
+        both=True, outlines=True, job_sheet=False, pseudonym="26-7KQ4M", most_triangles=None,
+        block=None if block is None else block_of(block),
+    )  # fmt: skip
+    parts = make_parts(replace(record, feet=feet), choice, ExportRules({}, {}))
+    write_order(parts, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT)
+    drawings = sorted(tmp_path.glob("*.dxf"))
+    assert [path.name for path in drawings] == (
+        ["o-left.dxf", "o-right.dxf"] if block is None else ["o-pair.dxf"]
+    )
+    layers: list[str] = []
+    marks: list[str] = []
+    for path in drawings:
+        drawing = ezdxf.readfile(path)
+        assert drawing.units == 4
+        lines = list(drawing.modelspace().query("LWPOLYLINE"))
+        assert all(line.closed for line in lines)
+        points = np.concatenate(
+            [list(line.get_points("xy")) for line in lines if line.dxf.layer == "INSOLE"]
+        )
+        solid = read_mesh(path.with_suffix(".stl")).mesh.bounds_mm[:, :2]
+        assert np.stack([points.min(axis=0), points.max(axis=0)]) == pytest.approx(solid, abs=0.05)
+        layers += [line.dxf.layer for line in lines]
+        marks += [text.dxf.text for text in drawing.modelspace().query("TEXT")]
+    assert Counter(layers) == {
+        "INSOLE": 2, "COVER": 2, "SHOE": 1, **({} if block is None else {"BLOCK": 1})
+    }  # fmt: skip
+    assert marks == ["26-7KQ4M left", "26-7KQ4M right"]
 
 
 def test_what_the_design_warns_of_stands_on_both_papers(record: CaseRecord, tmp_path: Path) -> None:

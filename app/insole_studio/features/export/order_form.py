@@ -140,6 +140,7 @@ class OrderForm(QWidget):
         self.responsible.setToolTip(tr("Who stands on the prescription"))
         self.responsible.clicked.connect(self.responsible_requested)
         self.checks = QCheckBox(tr("Outcome of the checks (JSON)"))
+        self.outlines = QCheckBox(tr("Outlines for a cutting machine (DXF)"))
         self.terms = TermsFields(self)
         self.more = Fold(tr("Size of the file"))
         self._tips()
@@ -302,6 +303,7 @@ class OrderForm(QWidget):
             job_sheet=self.job_sheet.isChecked(),
             prescription=self._wants_prescription,
             checks=self.checks.isChecked(),
+            outlines=self.outlines.isChecked(),
             terms=self.terms.terms(),
             package=self.terms.chosen_package(),
         )
@@ -320,6 +322,7 @@ class OrderForm(QWidget):
             (self.job_sheet, choice.job_sheet),
             (self.prescription, choice.prescription and not choice.package),
             (self.checks, choice.checks),
+            (self.outlines, choice.outlines),
         ]
 
     def _numbers(self, choice: OrderChoice) -> list[tuple[NumberField, float]]:
@@ -357,7 +360,10 @@ class OrderForm(QWidget):
         layout.addLayout(self._form)
         papers = QLabel(tr("Papers"))
         papers.setObjectName("heading")
-        for widget in (papers, self.job_sheet, self.checks, self.prescription, self.responsible):
+        for widget in (
+            papers, self.job_sheet, self.checks, self.outlines, self.prescription,
+            self.responsible,
+        ):  # fmt: skip
             layout.addWidget(widget)
         layout.addStretch(1)
 
@@ -395,6 +401,7 @@ class OrderForm(QWidget):
             (self.text, tr("The text on the underside")),
             (self.job_sheet, tr("A drawing with sections and all values, without the name")),
             (self.checks, tr("What was checked and with which outcome, for other programs")),
+            (self.outlines, tr("Insole, cover, block and shoe from above, in millimetres")),
             *((field, tr("Of what the insole is made")) for field in self.materials.values()),
         ):
             field.setToolTip(tip)
