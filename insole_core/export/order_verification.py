@@ -188,6 +188,28 @@ def read_order(path: Path) -> ShopOrder:
     return _opened(path)[2]
 
 
+def ordered_content(path: Path, file: OrderedFile) -> bytes:
+    """Return a file of the order in a folder or zip archive, as it was written.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, or is another one than `order.json` lists.
+    """
+    if is_folder(path):
+        content = read_given(path / file.name, MOST_BYTES_OF_A_FILE)
+    else:
+        content = ZipArchive(path.name, path).read(file.name, MOST_BYTES_OF_A_FILE)
+    if hashlib.sha256(content).hexdigest() != file.sha256:
+        raise InputError(
+            "{file} in {order} has been changed since the order was written; ask the clinic to "
+            "send the order again.",
+            file=file.name,
+            order=path,
+        )
+    return content
+
+
 def _opened(path: Path) -> tuple[_Source, list[str], ShopOrder, Mapping[str, Any]]:
     """Return an order with the names of all its files but those of file managers.
 

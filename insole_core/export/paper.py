@@ -65,6 +65,10 @@ TITLE = ParagraphStyle("title", parent=BODY, fontSize=16, leading=22)
 QUIET = colors.HexColor("#595959")
 _LEAST_PICTURE_MM, _MOST_PICTURE_MM = 50.0, 160.0
 """Height of the picture of a job sheet."""
+_TURNS = {0: "not turned", 90: "toes to x = 0", 180: "turned", 270: "heel to x = 0"}
+"""Texts of a job sheet by how far a part is turned."""
+_END_MM = 12.0
+"""From heel and toes of a part to their words."""
 _OF_THE_WHOLE_ORDER = ("pseudonym", "kind", "date")
 
 
@@ -121,8 +125,12 @@ class NestedPart:
     heights : mm, frame of the block
     bounds_mm : (2, 3) float64
         Least and greatest corner in the block.
-    is_turned
-        Whether its toes point to y = 0.
+    turn_deg
+        Counter-clockwise: its toes point along y at 0, to x = 0 at 90.
+    material
+        Where those of a nest may differ; empty for none.
+    label
+        On the picture, where many parts leave no room for their names; empty for the name.
     failed_mm
         Places of failed checks in the block.
     """
@@ -130,7 +138,9 @@ class NestedPart:
     name: str
     heights: HeightMap
     bounds_mm: FloatArray
-    is_turned: bool
+    turn_deg: int = 0
+    material: str = ""
+    label: str = ""
     failed_mm: tuple[Place, ...] = ()
 
 
@@ -183,7 +193,14 @@ def write_job_sheet(
     texts = paper_texts("job_sheet", translate)
     pages = [_sheet(sheet, texts, translate) for sheet in sheets]
     if nesting is not None:
-        pages.insert(0, _nesting_page(nesting, sheets[0], texts, translate))
+        facts = {
+            **{key: sheets[0].identification[key] for key in _OF_THE_WHOLE_ORDER
+               if key in sheets[0].identification},
+            "file": sheets[0].file_name,
+            "stock": translate(nesting.stock),
+        }  # fmt: skip
+        page = _nesting_page(nesting, facts, texts, translate)
+        pages.insert(0, [paragraph(texts["title"], TITLE), *page])
     pages = [*_drawing(sheets, pieces, translate), *pages]
     story = [flowable for page in pages for flowable in (PageBreak(), *page)][1:]
     write_pages(story, path, texts["title"], keyword=keyword)
@@ -225,25 +242,54 @@ def _sheet(sheet: JobSheet, texts: dict[str, str], translate: Translate) -> list
     return [*story, *_picture(sheet, texts["heights"])]
 
 
+def write_nest_sheet(
+    nesting: Nesting,
+    facts: Facts,
+    path: Path,
+    *,
+    notes: Sequence[str] = (),
+    translate: Translate = str,
+) -> None:
+    """Write where the pieces of several orders lie on one block.
+
+    Parameters
+    ----------
+    facts
+        Of the nest; never a patient's name.
+    notes
+        What the shop should know, one sentence each.
+
+    Raises
+    ------
+    OutputError
+        When the place cannot be written.
+    InputError
+        When the texts cannot be read.
+    """
+    texts = paper_texts("job_sheet", translate)
+    story = [paragraph(texts["nest title"], TITLE)]
+    story += _nesting_page(nesting, facts, texts, translate)
+    if notes:
+        story += listed(texts["warnings"], notes)
+    write_pages(story, path, texts["nest title"])
+
+
 def _nesting_page(
-    nesting: Nesting, sheet: JobSheet, texts: dict[str, str], translate: Translate
+    nesting: Nesting, facts: Facts, texts: dict[str, str], translate: Translate
 ) -> list[Flowable]:
     """Draw the block from above, and say where each part lies in it."""
-    common = {
-        key: value for key, value in sheet.identification.items() if key in _OF_THE_WHOLE_ORDER
-    }
     return [
-        paragraph(texts["title"], TITLE),
-        *facts_table(
-            texts["identification"],
-            {**common, "file": sheet.file_name, "stock": translate(nesting.stock)},
-            translate,
-        ),
+        *facts_table(texts["identification"], facts, translate),
         paragraph(texts["nesting"], HEAD),
         _nesting_picture(nesting, paper_texts("words", translate)),
         *facts_table(
             texts["places"],
-            {part.name: translate(_position(part, texts)) for part in nesting.parts},
+            {
+                part.name: ", ".join(
+                    filter(None, (translate(_position(part, texts)), part.material))
+                )
+                for part in nesting.parts
+            },
             translate,
         ),
         paragraph(texts["frame in the block"], NOTE),
@@ -259,7 +305,7 @@ def _position(part: NestedPart, texts: dict[str, str]) -> Message:
         x_end=x_end,
         y_end=y_end,
         z_end=z_end,
-        turn=texts["turned" if part.is_turned else "not turned"],
+        turn=texts[_TURNS[part.turn_deg]],
     )
 
 
@@ -470,14 +516,23 @@ def _picture(sheet: JobSheet, title: str) -> list[Flowable]:
 
 
 def _nesting_picture(nesting: Nesting, words: Facts) -> Flowable:
-    """Draw the block from above with its parts, heel and toes of each named."""
+    """Draw the block from above with its parts, heel and toes of each named where there is room."""
     width, length, height = nesting.block_mm
     mapped = []
     for part in nesting.parts:
         (left, low, _), (right, high, _) = part.bounds_mm
-        heel, toes = (high - 12, low + 12) if part.is_turned else (low + 12, high - 12)
-        places = ((heel, "heel"), ((low + high) / 2, part.name), (toes, "toes"))
-        labels = [((left + right) / 2, y, words.get(word, word)) for y, word in places]
+        across, along = (left + right) / 2, (low + high) / 2
+        ends = {
+            0: ((across, low + _END_MM), (across, high - _END_MM)),
+            90: ((right - _END_MM, along), (left + _END_MM, along)),
+            180: ((across, high - _END_MM), (across, low + _END_MM)),
+            270: ((left + _END_MM, along), (right - _END_MM, along)),
+        }
+        heel, toes = ends[part.turn_deg]
+        places = [((across, along), part.label or part.name)]
+        if not part.label:
+            places += [(heel, "heel"), (toes, "toes")]
+        labels = [(*place, words.get(word, word)) for place, word in places]
         mapped.append(MappedHeights(part.heights, part.failed_mm, tuple(labels)))
     frame = (-6.0, -6.0, width + 6.0, length + 6.0)
     return HeightPicture(mapped, frame, 140 * mm, most_mm=height, block_mm=(0, 0, width, length))

@@ -172,6 +172,9 @@ JOB_SHEET: Final = FileFormat(
 SETUP_SHEET: Final = FileFormat(
     name="PDF", endings=("-setup-sheet.pdf",), role="other", names_nobody=True
 )
+NEST_SHEET: Final = FileFormat(
+    name="PDF", endings=("-pieces.pdf",), role="other", names_nobody=True
+)
 PIN_HOLES: Final = FileFormat(
     name="G-code", endings=("-pin-holes.nc",), role="other", names_nobody=True
 )
@@ -179,7 +182,7 @@ PIN_HOLES: Final = FileFormat(
 CHECKS: Final = FileFormat(name="JSON", endings=("-checks.json",), role="checks", names_nobody=True)
 
 _FORMATS: Final[tuple[FileFormat, ...]] = (
-    *MESH_FORMATS, PIN_HOLES, PROGRAM, OUTLINES, JOB_SHEET, SETUP_SHEET, CHECKS
+    *MESH_FORMATS, PIN_HOLES, PROGRAM, OUTLINES, JOB_SHEET, SETUP_SHEET, NEST_SHEET, CHECKS
 )  # fmt: skip
 _BY_SUFFIX: Final = {end: form for form in MESH_FORMATS for end in form.endings}
 SCAN_SUFFIXES: Final = tuple(end for form in MESH_FORMATS if form.reader for end in form.endings)

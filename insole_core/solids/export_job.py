@@ -473,7 +473,7 @@ def _nesting(block: Block, placed: tuple[PlacedPart, ...]) -> Nesting:
                 name=str(each.part.side),
                 heights=each.heights(),
                 bounds_mm=each.part.solid.transformed(each.insole2file).bounds_mm,
-                is_turned=bool(each.insole2file[1, 1] < 0),
+                turn_deg=180 if each.insole2file[1, 1] < 0 else 0,
                 failed_mm=each.failed_mm,
             )
             for each in placed

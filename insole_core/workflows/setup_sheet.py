@@ -32,6 +32,8 @@ from insole_core.solids.shop import Block
 
 _CLAMP_MM: Final = 15.0
 """Width of a border on which a clamp finds room."""
+_END_MM: Final = 14.0
+"""From heel and toes of a piece to their words."""
 _SHAPES: Final = {"flat": "flat", "ball": "ball nose"}
 _WORK: Final = {
     "dowels": "holes for the dowels", "roughing": "clearing", "finishing": "finishing",
@@ -165,8 +167,8 @@ def _block_facts(plan: MillingPlan, block: Block) -> dict[str, str]:
         ),
         "zero": _zero(plan),
     }
-    for foot, low, high in _places(plan):
-        facts[_name(foot)] = Message(
+    for number, (foot, low, high) in enumerate(_places(plan), 1):
+        facts[_name(foot, number)] = Message(
             "x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f} mm from the zero; its toes towards "
             "{direction}",
             x=low[0],
@@ -347,17 +349,20 @@ def _places(plan: MillingPlan) -> Iterator[tuple[FootInBlock, FloatArray, FloatA
         yield foot, corners.min(axis=0), corners.max(axis=0)
 
 
-def _name(foot: FootInBlock) -> str:
+def _name(foot: FootInBlock, number: int) -> str:
+    """Return what a piece is called; those of several orders are numbered as on the picture."""
     if not foot.mark:
         return str(foot.side)
-    return Message("{mark}, {side}", mark=foot.mark, side=Message(str(foot.side)))
+    return Message(
+        "{number}: {mark}, {side}", number=number, mark=foot.mark, side=Message(str(foot.side))
+    )
 
 
 def _picture(plan: MillingPlan, translate: Translate) -> SetupPlan:
     dowels = dowels_in_machine(plan).tolist() if is_turned(plan) else []
     pieces = tuple(
-        LyingPiece(_heights(plan, solid), _labels(plan, foot, low, high, translate))
-        for solid, (foot, low, high) in zip(plan.solids, _places(plan), strict=True)
+        LyingPiece(_heights(plan, solid), _labels(plan, number, translate))
+        for number, solid in enumerate(plan.solids)
     )
     return SetupPlan(
         _block_mm(plan), plan.block_mm[2], pieces,
@@ -372,21 +377,24 @@ def _heights(plan: MillingPlan, solid: TriangleMesh) -> HeightMap:
 
 
 def _labels(
-    plan: MillingPlan, foot: FootInBlock, low: FloatArray, high: FloatArray, translate: Translate
+    plan: MillingPlan, number: int, translate: Translate
 ) -> tuple[tuple[float, float, str], ...]:
-    """Return heel, side and toes of a piece with their places."""
+    """Return what stands on a piece: heel, side and toes; of many its number alone."""
+    foot, low, high = list(_places(plan))[number]
     axis = 0 if plan.machine.length_along == "x" else 1
     middle = (low + high) / 2
+    if foot.mark:
+        return ((float(middle[0]), float(middle[1]), str(number + 1)),)
     ends = (high, low) if foot.is_turned else (low, high)
-    inside = 14.0 if ends[0][axis] < ends[1][axis] else -14.0
+    inside = _END_MM if ends[0][axis] < ends[1][axis] else -_END_MM
     named = (
-        (ends[0][axis] + inside, translate(Message("heel"))),
-        (middle[axis], translate(_name(foot))),
-        (ends[1][axis] - inside, translate(Message("toes"))),
+        (ends[0][axis] + inside, "heel"),
+        (middle[axis], str(foot.side)),
+        (ends[1][axis] - inside, "toes"),
     )
     labels = []
-    for along, text in named:
+    for along, word in named:
         place = middle.copy()
         place[axis] = along
-        labels.append((float(place[0]), float(place[1]), text))
+        labels.append((float(place[0]), float(place[1]), translate(Message(word))))
     return tuple(labels)

@@ -168,7 +168,7 @@ def deliver(
     from insole_core.solids.shop import read_shop
 
     shop = read_shop(arguments.shop)
-    block = _block(shop, arguments.block)
+    block = None if arguments.block is None else find_block(shop, arguments.block)
     responsible = _responsible(arguments, insoles)
     rules = _rules(arguments, block)
     parts = tuple(
@@ -340,9 +340,14 @@ def _responsible(arguments: argparse.Namespace, insoles: tuple[Insole, ...]) -> 
     return responsible
 
 
-def _block(shop: Shop, name: str | None) -> Block | None:
-    if name is None:
-        return None
+def find_block(shop: Shop, name: str) -> Block:
+    """Return a block of the shop by its name.
+
+    Raises
+    ------
+    UsageError
+        Naming the blocks that there are.
+    """
     found = next((block for block in shop.blocks if block.name == name), None)
     if found is None:
         known = ", ".join(f'"{block.name}"' for block in shop.blocks)

@@ -16,6 +16,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import Command, Step, add_steps, day, whole
+from insole_studio.cli.order_nest import NEST
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.arguments import add_language, wording_of
 
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from insole_core.workflows.order_package import PackedItem
 
 NAME = "order"
-HELP = "write an order to a shop as one folder or zip archive, or verify one that arrived"
+HELP = "write an order to a shop, verify one that arrived, or nest several on one block"
 
 
 def _add_create_arguments(parser: argparse.ArgumentParser) -> None:
@@ -46,6 +47,9 @@ def _add_create_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--format", choices=names, default="stl")
     parser.add_argument(
         "--triangles", type=whole, default=40_000, metavar="N", help="at most (default: 40000)"
+    )
+    parser.add_argument(
+        "--dxf", action="store_true", help="outlines of insole, cover, block and shoe, too"
     )
     terms = parser.add_argument_group("what is ordered")
     terms.add_argument("--quantity", type=whole, default=1, metavar="N", help="of each pair")
@@ -155,6 +159,7 @@ def _choice(arguments: argparse.Namespace, terms: OrderTerms, pseudonym: str) ->
         most_triangles=arguments.triangles,
         pseudonym=pseudonym or new_order_number(date.today()),
         material=arguments.material.strip(),
+        outlines=arguments.dxf,
         terms=terms,
     )
 
@@ -213,7 +218,7 @@ VERIFY = Step(
 )
 
 
-STEPS: tuple[Command, ...] = (CREATE, VERIFY)
+STEPS: tuple[Command, ...] = (CREATE, VERIFY, NEST)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1820,6 +1820,18 @@
             <translation>Varken inställningar eller osparat arbete kan bevaras: {reason}</translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation>Samläggning</translation>
+        </message>
+        <message>
+            <source>Nest of several orders</source>
+            <translation>Samläggning av flera beställningar</translation>
+        </message>
+        <message>
+            <source>Nesting the pieces</source>
+            <translation>Lägger ut styckena</translation>
+        </message>
+        <message>
             <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
             <translation>Ingen Kinect är ansluten; anslut dess USB-kabel och dess 12 V-aggregat.</translation>
         </message>
@@ -1952,6 +1964,10 @@
             <translation>Inget skrevs till {place}: dess disk är full eller tar inte emot mer från dig; frigör utrymme och försök igen.</translation>
         </message>
         <message>
+            <source>Number of pieces</source>
+            <translation>Antal stycken</translation>
+        </message>
+        <message>
             <source>Occupation</source>
             <translation>Yrke</translation>
         </message>
@@ -2022,6 +2038,10 @@
         <message>
             <source>Order number</source>
             <translation>Beställningsnummer</translation>
+        </message>
+        <message>
+            <source>Order {number} was written without solids; export it again.</source>
+            <translation>Beställning {number} skrevs utan stycken; exportera den på nytt.</translation>
         </message>
         <message>
             <source>Order {number}: {count} files that may name the patient</source>
@@ -3376,6 +3396,14 @@
             <translation>Beställningen {number} har under tiden fått läget {state}; exportera en gång till, som en ny beställning.</translation>
         </message>
         <message>
+            <source>The orders ask for {materials}, and a block is of one material; nest them apart.</source>
+            <translation>Beställningarna gäller {materials}, och ett block är av ett material; lägg ut dem var för sig.</translation>
+        </message>
+        <message>
+            <source>The orders have {count} pieces, and a nest takes at most {most}; nest fewer orders.</source>
+            <translation>Beställningarna har {count} stycken, och en samläggning tar högst {most}; lägg ut färre beställningar.</translation>
+        </message>
+        <message>
             <source>The origin of {machine} lies outside the block: {place:g} mm along {axis}, and the block has {size:g} mm; correct its offset in the machine file.</source>
             <translation>Nollpunkten för {machine} ligger utanför blocket: {place:g} mm längs {axis}, och blocket har {size:g} mm; rätta dess förskjutning i maskinfilen.</translation>
         </message>
@@ -4096,6 +4124,10 @@
             <translation>Det finns ingen att radera med pseudonymen {pseudonym}; den står på patientens sida.</translation>
         </message>
         <message>
+            <source>There is nothing to nest; name at least one order.</source>
+            <translation>Det finns inget att lägga ut; ange minst en beställning.</translation>
+        </message>
+        <message>
             <source>There is somebody of this name, {born}, and a birth date is missing to tell whether it is the same person.</source>
             <translation>Det finns någon med detta namn, {born}, och det saknas ett födelsedatum för att avgöra om det är samma person.</translation>
         </message>
@@ -4572,8 +4604,16 @@
             <translation>Skriver arbetsordern</translation>
         </message>
         <message>
+            <source>Writing the nest sheet</source>
+            <translation>Skriver samläggningsbladet</translation>
+        </message>
+        <message>
             <source>Writing the order</source>
             <translation>Skriver beställningen</translation>
+        </message>
+        <message>
+            <source>Writing the outlines</source>
+            <translation>Skriver konturerna</translation>
         </message>
         <message>
             <source>Writing the prescription</source>
@@ -6084,6 +6124,10 @@
             <translation>dess huvud innehåller ”{text}”</translation>
         </message>
         <message>
+            <source>its heel towards x = 0</source>
+            <translation>hälen mot x = 0</translation>
+        </message>
+        <message>
             <source>its heel towards y = 0</source>
             <translation>hälen mot y = 0</translation>
         </message>
@@ -6134,6 +6178,10 @@
         <message>
             <source>its sensor.json says that it sees the markers {faces}, but it sees "{face}"; exchange the views, or correct "faces" there</source>
             <translation>dess sensor.json säger att den ser markörerna {faces}, men den ser ”{face}”; byt vyerna, eller rätta ”faces” där</translation>
+        </message>
+        <message>
+            <source>its toes towards x = 0</source>
+            <translation>tårna mot x = 0</translation>
         </message>
         <message>
             <source>its unit is no length</source>
@@ -8164,12 +8212,24 @@
             <translation>{file} har ändrats sedan beställningen skrevs; be kliniken att skicka beställningen igen.</translation>
         </message>
         <message>
+            <source>{file} has settings and zones for a slicer, which a nest cannot keep; export the order for any machine to nest it.</source>
+            <translation>{file} har inställningar och zoner för ett skivningsprogram, som en samläggning inte kan behålla; exportera beställningen för vilken maskin som helst.</translation>
+        </message>
+        <message>
             <source>{file} has {size} bytes, and {order} says {stated}; ask the clinic to send the order again.</source>
             <translation>{file} har {size} byte, och {order} anger {stated}; be kliniken att skicka beställningen igen.</translation>
         </message>
         <message>
+            <source>{file} holds both sides, which lie in their own block; export the order without a block to nest it with others.</source>
+            <translation>{file} innehåller båda sidorna, som ligger i ett eget block; exportera beställningen utan block för att lägga ut den med andra.</translation>
+        </message>
+        <message>
             <source>{file} holds what {real} was; ask the clinic to send the order again.</source>
             <translation>{file} innehåller det som {real} var; be kliniken att skicka beställningen igen.</translation>
+        </message>
+        <message>
+            <source>{file} in {order} has been changed since the order was written; ask the clinic to send the order again.</source>
+            <translation>{file} i {order} har ändrats sedan beställningen skrevs; be kliniken skicka beställningen på nytt.</translation>
         </message>
         <message>
             <source>{file} inside {archive} is damaged; copy the archive again from its source.</source>
@@ -8476,10 +8536,6 @@
             <translation>{markers} utpekade</translation>
         </message>
         <message>
-            <source>{mark}, {side}</source>
-            <translation>{mark}, {side}</translation>
-        </message>
-        <message>
             <source>{minutes} min</source>
             <translation>{minutes} min</translation>
         </message>
@@ -8612,6 +8668,10 @@
             <translation>{number} mm</translation>
         </message>
         <message>
+            <source>{number}: {mark}, {side}</source>
+            <translation>{number}: {mark}, {side}</translation>
+        </message>
+        <message>
             <source>{offset}: {place}</source>
             <translation>{offset}: {place}</translation>
         </message>
@@ -8654,6 +8714,10 @@
         <message>
             <source>{part}, {value}</source>
             <translation>{part}, {value}</translation>
+        </message>
+        <message>
+            <source>{path} are outlines, which are written as .dxf; change its suffix.</source>
+            <translation>{path} är konturer, som skrivs som .dxf; ändra filändelsen.</translation>
         </message>
         <message>
             <source>{path} cannot be opened: no program for it is installed; open it from the file manager.</source>
@@ -9182,6 +9246,18 @@
         <message>
             <source>{picture}: {corners} corners of the ChArUco board of {columns}×{rows} squares are seen, but {least} are needed; show more of the board, and check its size and dictionary.</source>
             <translation>{picture}: {corners} hörn av ChArUco-brädet med {columns}×{rows} rutor syns, men {least} behövs; visa mer av brädet, och kontrollera dess storlek och förteckning.</translation>
+        </message>
+        <message>
+            <source>{piece} carries no mark: {reason}</source>
+            <translation>{piece} är omärkt: {reason}</translation>
+        </message>
+        <message>
+            <source>{piece} is {need:.1f} mm high, and the block has {there:g} mm; take a higher block.</source>
+            <translation>{piece} är {need:.1f} mm högt, och blocket har {there:g} mm; ta ett högre block.</translation>
+        </message>
+        <message>
+            <source>{placed} of {count} pieces find room on {block}; take a larger block, or nest fewer orders.</source>
+            <translation>{placed} av {count} stycken får plats på {block}; ta ett större block eller lägg ut färre beställningar.</translation>
         </message>
         <message>
             <source>{place} answers, and asks for a password; type it, or write it into PostgreSQL's password file.</source>

@@ -244,6 +244,10 @@
             <translation>I blocket</translation>
         </message>
         <message>
+            <source>Insole, cover, block and shoe from above, in millimetres</source>
+            <translation>Inlägg, överdrag, block och sko uppifrån, i millimeter</translation>
+        </message>
+        <message>
             <source>Insole, trimmed</source>
             <translation>Inlägg, beskuret</translation>
         </message>
@@ -362,6 +366,10 @@
         <message>
             <source>Outcome of the checks (JSON)</source>
             <translation>Kontrollernas utfall (JSON)</translation>
+        </message>
+        <message>
+            <source>Outlines for a cutting machine (DXF)</source>
+            <translation>Konturer för en skärmaskin (DXF)</translation>
         </message>
         <message>
             <source>Own block {number}</source>

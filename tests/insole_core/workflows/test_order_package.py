@@ -368,6 +368,27 @@ def test_two_patients_of_one_name_are_refused(parts: tuple[Part, ...], tmp_path:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (["--out", "n.txt", "--size", "500x300x40"], "names no format that the nest is written"),
+        (["--out", "n.3mf", "--block", "cork"], '--block is "cork", and the shop has'),
+        (["--out", "n.stl", "--size", "500x300x40", "--both-sides"], "name it with --machine"),
+    ],
+)
+def test_a_nest_that_cannot_be_says_so_before_an_order_is_read(
+    options: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["order", "nest", "nothing.zip", *options]) != 0
+    assert sentence in capsys.readouterr().err.splitlines()[-1]
+
+
+def test_a_size_is_three_lengths(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        run(["order", "nest", "nothing.zip", "--out", "n.3mf", "--size", "500x300"])
+    assert "is no size; write length, width and height in mm" in capsys.readouterr().err
+
+
 def test_the_command_writes_and_verifies(
     record: CaseRecord, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -379,6 +400,12 @@ def test_the_command_writes_and_verifies(
     told = capsys.readouterr()
     assert "Order A7" in told.out
     assert "all that order.json says" in told.out.splitlines()[-1]
+    nested = ["order", "nest", str(out), "--out", str(tmp_path / "n.3mf"), "--size", "500x300x40"]
+    assert run(nested) == 0
+    assert "3 pieces on sheet, 500 × 300 × 40 mm" in capsys.readouterr().err.splitlines()[-1]
+    assert {path.name for path in tmp_path.glob("n*")} == {"n.3mf", "n.dxf", "n-pieces.pdf"}
+    assert run([*nested[:-1], "500x90x40"]) == 1
+    assert "0 of 3 pieces find room" in capsys.readouterr().err.splitlines()[-1]
     (out / "P-17-left.stl").write_bytes(b"")
     assert run(["order", "verify", str(out)]) == 1
     told = capsys.readouterr()

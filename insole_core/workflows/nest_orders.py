@@ -1,0 +1,487 @@
+"""The pieces of a day's orders on one block or sheet, for a router, a cutter or a printer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import date
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from insole_core.errors import DesignError, InputError
+from insole_core.export.order_verification import ordered_content, read_order, side_in_name
+from insole_core.export.shop_order import ORDER_FILE, OrderItem
+from insole_core.files.transaction import Transaction
+from insole_core.formats.dxf import DxfOutline, DxfText, write_dxf
+from insole_core.formats.file_formats import (
+    NEST_SHEET,
+    OUTLINES,
+    PIN_HOLES,
+    PROGRAM,
+    SETUP_SHEET,
+    role_of,
+)
+from insole_core.formats.reading import read_raw
+from insole_core.formats.scan_content import ScanContent
+from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.writing import write_solids
+from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.packing import Packed, Turn, pack
+from insole_core.geometry.side import Side
+from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.given_file import read_given
+from insole_core.messages import Message, Translate
+from insole_core.milling.plan import FootInBlock, plan_milling
+from insole_core.progress import SILENT, Progress
+from insole_core.regular_file import is_folder
+from insole_core.scans.vertex_merging import merged
+from insole_core.solids.checks import survey_heights
+from insole_core.solids.export_job import ExportPaths, standing
+from insole_core.solids.marking import mark
+from insole_core.solids.part_outlines import block_outline, mark_text
+from insole_core.solids.shop import Block
+from insole_core.solids.silhouette import silhouette
+from insole_core.workflows.mill import MillingChoice, write_milling
+from insole_core.zip_archive import ZipArchive
+
+if TYPE_CHECKING:
+    from insole_core.export.paper import Nesting
+
+GAP_MM: Final = 12.0
+"""Between two pieces: twice the cutter of our machine files."""
+MARGIN_MM: Final = 4.0
+_MOST_PIECES: Final = 500
+_MOST_BYTES: Final = 512 * 2**20
+_ALONG: Final[tuple[Turn, ...]] = (0, 180)
+_ACROSS: Final[tuple[Turn, ...]] = (90, 270)
+_OF_SLICERS: Final = ("Metadata/Slic3r_PE_model.config", "Metadata/model_settings.config")
+_MARK_AT, _MARK_ROOM_MM, _MARK_SHARE = 0.35, 30.0, 0.5
+"""Under the heel, as the marks of an order."""
+_BOTTOM_MM: Final = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class OrderedPiece:
+    """A solid of an order, in the number in which it is ordered.
+
+    Parameters
+    ----------
+    label
+        By which the order is known to the shop: its number, and the pseudonym; never a name.
+    solid : mm
+        Standing on z = 0, toes towards +y.
+    """
+
+    label: str
+    side: Side
+    solid: TriangleMesh
+    material: str = ""
+    quantity: int = 1
+
+    @property
+    def name(self) -> str:
+        """Order and side."""
+        return f"{self.label} {self.side}"
+
+
+@dataclass(frozen=True, eq=False)
+class NestedPiece:
+    """A piece where it lies: its frame to that of the block, a corner of which is the origin."""
+
+    piece: OrderedPiece
+    packed: Packed
+    piece2block: FloatArray
+
+    @property
+    def solid(self) -> TriangleMesh:
+        """The solid in the block, mm."""
+        return self.piece.solid.transformed(self.piece2block)
+
+
+@dataclass(frozen=True, eq=False)
+class DayNest:
+    """All pieces on one block; width along x, length along y."""
+
+    block: Block
+    pieces: tuple[NestedPiece, ...]
+    notes: tuple[Message, ...] = ()
+
+    @property
+    def block_mm(self) -> tuple[float, float, float]:
+        """Width, length, height."""
+        length, width, height = self.block.sides_mm
+        return width, length, height
+
+
+def pieces_of_order(path: Path) -> Iterator[OrderedPiece]:
+    """Yield the pieces of an order: a folder, or a zip archive, with its `order.json`.
+
+    Raises
+    ------
+    InputError
+        When it is no order, a file of it was changed, or holds no piece alone.
+    """
+    order = read_order(path)
+    for item in order.items:
+        yield from _pieces_of_item(path, item, order.release.number)
+
+
+def pieces_of_files(files: Sequence[Path], number: str) -> Iterator[OrderedPiece]:
+    """Yield the pieces of an order that was written as single files, or of an archive among them.
+
+    Raises
+    ------
+    InputError
+        When there is none, or a file holds no piece alone.
+    """
+    found = False
+    folder = next((path.parent for path in files if path.name == ORDER_FILE), None)
+    for path in (folder,) if folder is not None else files:
+        if path.suffix.lower() == ".zip" or is_folder(path):
+            found = True
+            yield from pieces_of_order(path)
+        elif role_of(path.name) == "solid":
+            found = True
+            solid = _solid(path, read_given(path, _MOST_BYTES))
+            yield OrderedPiece(number, _side_of(path.name), solid)
+    if not found:
+        raise InputError(
+            "Order {number} was written without solids; export it again.", number=number
+        )
+
+
+def _pieces_of_item(path: Path, item: OrderItem, number: str) -> Iterator[OrderedPiece]:
+    label = number if item.pseudonym == number else f"{number} {item.pseudonym}"
+    for file in item.files:
+        if file.role == "solid":
+            side = _side_of(file.name)
+            solid = _solid(Path(file.name), ordered_content(path, file))
+            yield OrderedPiece(label, side, solid, item.materials[side], item.terms.quantity)
+
+
+def _side_of(name: str) -> Side:
+    side = side_in_name(name)
+    if side is None:
+        raise InputError(
+            "{file} holds both sides, which lie in their own block; export the order without a "
+            "block to nest it with others.",
+            file=name,
+        )
+    return side
+
+
+def _solid(path: Path, content: bytes) -> TriangleMesh:
+    suffix = path.suffix.lower()
+    if suffix == ".3mf":
+        names = ZipArchive(path.name, content).names
+        if any(name in names for name in _OF_SLICERS):
+            raise InputError(
+                "{file} has settings and zones for a slicer, which a nest cannot keep; export the "
+                "order for any machine to nest it.",
+                file=path.name,
+            )
+    raw = read_raw(ScanContent(path, suffix, content, lambda _name, _most: None))
+    solid = merged(TriangleMesh(raw.vertices, raw.triangles))
+    return solid.transformed(standing(solid))
+
+
+def nest_pieces(
+    pieces: Sequence[OrderedPiece],
+    block: Block,
+    *,
+    gap_mm: float = GAP_MM,
+    margin_mm: float = MARGIN_MM,
+    across: bool = True,
+    marked: bool = False,
+    progress: Progress = SILENT,
+) -> DayNest:
+    """Place the pieces of several orders on one block.
+
+    Parameters
+    ----------
+    gap_mm, margin_mm
+        Between two pieces, and to the sides of the block.
+    across
+        Whether pieces may lie across the block too; a router's notes need them along it.
+    marked
+        Whether order and side are engraved into the underside of each.
+
+    Raises
+    ------
+    DesignError
+        When a piece is not closed or too high, or not all find room.
+    Cancelled
+    """
+    every = [piece for piece in pieces for _ in range(piece.quantity)]
+    _check_number(every)
+    _check_heights(every, block)
+    notes = [*_material_notes(every)]
+    if marked:
+        every, failed = _marked(every, progress.part(0.0, 0.3))
+        notes += failed
+    outlines = [max(silhouette(piece.solid), key=_extent) for piece in every]
+    length, width, _ = block.sides_mm
+    ways = (_ALONG, _ACROSS, _ALONG + _ACROSS) if across else (_ALONG,)
+    steps = progress.part(0.3, 1.0).parts(len(ways))
+    tries = [
+        pack(
+            outlines, (width, length),
+            gap_mm=gap_mm, margin_mm=margin_mm, turns=turns, progress=step,
+        )
+        for turns, step in zip(ways, steps, strict=True)
+    ]  # fmt: skip
+    best = max(tries, key=lambda found: _worth(found, outlines))
+    _require_all(best, block)
+    nested = tuple(
+        NestedPiece(piece, packed, _piece2block(packed))
+        for piece, packed in zip(every, best, strict=True)
+        if packed is not None
+    )
+    return DayNest(block, nested, tuple(notes))
+
+
+def _check_number(every: Sequence[OrderedPiece]) -> None:
+    if not every:
+        raise InputError("There is nothing to nest; name at least one order.")
+    if len(every) > _MOST_PIECES:
+        raise InputError(
+            "The orders have {count} pieces, and a nest takes at most {most}; nest fewer orders.",
+            count=len(every),
+            most=_MOST_PIECES,
+        )
+
+
+def _check_heights(every: Sequence[OrderedPiece], block: Block) -> None:
+    highest = max(every, key=lambda piece: float(np.ptp(piece.solid.vertices[:, 2])))
+    need = float(np.ptp(highest.solid.vertices[:, 2]))
+    if need > block.sides_mm[2] + _BOTTOM_MM:
+        raise DesignError(
+            "{piece} is {need:.1f} mm high, and the block has {there:g} mm; take a higher block.",
+            piece=highest.name,
+            need=need,
+            there=block.sides_mm[2],
+        )
+
+
+def _material_notes(every: Sequence[OrderedPiece]) -> Iterator[Message]:
+    materials = dict.fromkeys(piece.material for piece in every if piece.material)
+    if len(materials) > 1:
+        yield Message(
+            "The orders ask for {materials}, and a block is of one material; nest them apart.",
+            materials=", ".join(materials),
+        )
+
+
+def _extent(outline: FloatArray) -> float:
+    return float(np.ptp(outline, axis=0).prod())
+
+
+def _worth(found: Sequence[Packed | None], outlines: Sequence[FloatArray]) -> tuple[int, float]:
+    """Return what makes a nest better: more pieces, then less of the block's length."""
+    tops = [
+        float(packed.applied(outline)[:, 1].max())
+        for packed, outline in zip(found, outlines, strict=True)
+        if packed is not None
+    ]
+    return len(tops), -max(tops, default=0.0)
+
+
+def _require_all(found: Sequence[Packed | None], block: Block) -> None:
+    placed = sum(packed is not None for packed in found)
+    if placed < len(found):
+        raise DesignError(
+            "{placed} of {count} pieces find room on {block}; take a larger block, or nest fewer "
+            "orders.",
+            placed=placed,
+            count=len(found),
+            block=block.words,
+        )
+
+
+def _piece2block(packed: Packed) -> FloatArray:
+    turn = rotation_about(np.array([0.0, 0, 1]), packed.turn_deg)
+    return rigid(turn, np.array([*packed.shift_mm, 0.0]))
+
+
+def _marked(
+    every: Sequence[OrderedPiece], progress: Progress
+) -> tuple[list[OrderedPiece], list[Message]]:
+    """Engrave order and side into the undersides; say where that is impossible."""
+    pieces, notes = [], []
+    for piece, step in zip(every, progress.parts(len(every)), strict=True):
+        step.step(0.0, "Writing the identification")
+        try:
+            pieces.append(replace(piece, solid=_engraved(piece)))
+        except DesignError as error:
+            pieces.append(piece)
+            notes.append(
+                Message("{piece} carries no mark: {reason}", piece=piece.name, reason=str(error))
+            )
+    return pieces, list(dict.fromkeys(notes))
+
+
+def _engraved(piece: OrderedPiece) -> TriangleMesh:
+    low, high = piece.solid.bounds_mm
+    length = float(high[1] - low[1])
+    at = float(low[1]) + _MARK_AT * length
+    under = piece.solid.vertices[piece.solid.vertices[:, 2] < low[2] + _BOTTOM_MM]
+    near = under[np.abs(under[:, 1] - at) < _MARK_SHARE / 2 * length]
+    across = near[:, 0] if len(near) else np.array([low[0], high[0]])
+    middle = float(across.min() + across.max()) / 2
+    return mark(
+        piece.solid, (piece.label, str(piece.side)),
+        centre_mm=(middle, at), room_mm=(_MARK_ROOM_MM, _MARK_SHARE * length),
+    )  # fmt: skip
+
+
+def places_of_nest(out: Path, milling: MillingChoice | None) -> dict[str, Path]:
+    """Return all files that `write_nest` writes, by what they are."""
+    endings = {"solid": out.suffix, "outlines": OUTLINES.ending, "sheet": NEST_SHEET.ending}
+    if milling is not None:
+        endings |= {"program": PROGRAM.ending, "setup_sheet": SETUP_SHEET.ending}
+        if milling.both_sides:
+            endings["pin_holes"] = PIN_HOLES.ending
+    return {what: out.with_name(out.stem + ending) for what, ending in endings.items()}
+
+
+def write_nest(
+    nest: DayNest,
+    out: Path,
+    *,
+    title: str,
+    milling: MillingChoice | None = None,
+    translate: Translate = str,
+    progress: Progress = SILENT,
+) -> tuple[Path, ...]:
+    """Write solids, outlines and sheet of a nest, and the program of a router: all or nothing.
+
+    Parameters
+    ----------
+    out
+        File of the solids; its name is that of the others.
+    title
+        Names the nest on papers and in the program; never a patient.
+    milling
+        None for no router.
+    translate
+        Into the language of the papers.
+
+    Raises
+    ------
+    UsageError
+        When the suffix is no format of solids.
+    DesignError
+        When block, machine or a cutter is too small.
+    OutputError
+        When a place cannot be written.
+    Cancelled
+    """
+    from insole_core.export.paper import write_nest_sheet
+
+    places = places_of_nest(out, milling)
+    with Transaction() as transaction:
+        beside = {what: transaction.file(path) for what, path in places.items()}
+        progress.step(0.0, "Writing the file")
+        write_solids(
+            [SolidPart(each.solid, each.piece.name) for each in nest.pieces],
+            beside["solid"], label=title,
+        )  # fmt: skip
+        progress.step(0.1, "Writing the outlines")
+        _write_outlines(nest, beside["outlines"])
+        progress.step(0.2, "Writing the nest sheet")
+        write_nest_sheet(
+            _nesting(nest, translate), _facts(nest, title, places, translate), beside["sheet"],
+            notes=[translate(note) for note in nest.notes], translate=translate,
+        )  # fmt: skip
+        if milling is not None:
+            _mill(
+                nest, milling, places, beside,
+                title=title, translate=translate, progress=progress.part(0.3, 1.0),
+            )  # fmt: skip
+    return tuple(places.values())
+
+
+def _write_outlines(nest: DayNest, path: Path) -> None:
+    outlines: list[DxfOutline] = []
+    marks: list[DxfText] = []
+    for each in nest.pieces:
+        lines = [DxfOutline("INSOLE", polygon) for polygon in silhouette(each.solid)]
+        outlines += lines
+        marks.append(mark_text(each.piece.name, lines))
+    width, length, _ = nest.block_mm
+    outlines.append(block_outline(nest.block, (width / 2, length / 2)))
+    write_dxf(outlines, marks, path)
+
+
+def _facts(
+    nest: DayNest, title: str, places: Mapping[str, Path], translate: Translate
+) -> dict[str, str]:
+    shown = ("solid", "outlines", "program", "setup_sheet")
+    return {
+        "nest": title,
+        "date": date.today().isoformat(),
+        "stock": translate(nest.block.words),
+        "pieces": str(len(nest.pieces)),
+        "files": ", ".join(places[what].name for what in shown if what in places),
+    }
+
+
+def _nesting(nest: DayNest, translate: Translate) -> Nesting:
+    from insole_core.export.paper import NestedPart, Nesting
+
+    parts = []
+    for number, each in enumerate(nest.pieces, 1):
+        solid, piece = each.solid, each.piece
+        name = translate(
+            Message(
+                "{number}: {mark}, {side}",
+                number=number,
+                mark=piece.label,
+                side=Message(str(piece.side)),
+            )
+        )
+        parts.append(
+            NestedPart(
+                name=name,
+                heights=survey_heights(solid),
+                bounds_mm=solid.bounds_mm,
+                turn_deg=each.packed.turn_deg,
+                material=translate(Message(piece.material)) if piece.material else "",
+                label=str(number),
+            )
+        )
+    return Nesting(nest.block.words, nest.block_mm, tuple(parts))
+
+
+def _mill(
+    nest: DayNest,
+    milling: MillingChoice,
+    places: Mapping[str, Path],
+    beside: Mapping[str, Path],
+    *,
+    title: str,
+    translate: Translate,
+    progress: Progress,
+) -> None:
+    plan = plan_milling(
+        [each.solid for each in nest.pieces], nest.block_mm, milling.machine,
+        both_sides=milling.both_sides,
+        feet=[
+            FootInBlock(each.piece.side, each.packed.turn_deg == 180, each.piece.label)
+            for each in nest.pieces
+        ],
+        progress=progress.part(0.0, 0.8),
+    )  # fmt: skip
+    write_milling(
+        plan, nest.block, _export_paths(places), _export_paths(beside),
+        identification={"pseudonym": title, "date": date.today().isoformat()},
+        translate=translate, progress=progress.part(0.8, 1.0),
+    )  # fmt: skip
+
+
+def _export_paths(places: Mapping[str, Path]) -> ExportPaths:
+    kinds = ("program", "setup_sheet", "pin_holes")
+    return ExportPaths(places["solid"], **{what: places.get(what) for what in kinds})

@@ -1,0 +1,171 @@
+"""Orders of several patients on one block: apart, marked by order and side, nobody named."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from itertools import combinations
+from pathlib import Path
+
+import ezdxf
+import manifold3d
+import numpy as np
+import pytest
+from read_pdf import bytes_of_pdf, text_of_pdf
+
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.scan_source import ScanSource
+from insole_core.errors import DesignError, InputError
+from insole_core.export.shop_order import OrderTerms
+from insole_core.foot.foot import Foot
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.milling.machine import read_machine
+from insole_core.resources import resource_path
+from insole_core.scans.mesh_file import read_mesh
+from insole_core.solids.export_rules import ExportRules
+from insole_core.solids.shop import Block, read_shop
+from insole_core.solids.silhouette import silhouette
+from insole_core.solids.simplification import from_manifold
+from insole_core.workflows.make_order import OrderChoice, make_parts
+from insole_core.workflows.mill import MillingChoice
+from insole_core.workflows.nest_orders import (
+    GAP_MM,
+    DayNest,
+    OrderedPiece,
+    nest_pieces,
+    pieces_of_files,
+    pieces_of_order,
+    write_nest,
+)
+from insole_core.workflows.order_package import PackedItem, write_package
+
+NAMES = ("Ottilia Bergqvist", "Kurt Sandelin")
+SHEET = Block("sheet", (600.0, 700.0, 40.0))
+
+
+@pytest.fixture(scope="module")
+def orders(
+    left_foot: Foot, right_foot: Foot, tmp_path_factory: pytest.TempPathFactory
+) -> list[Path]:
+    """An archive and a folder of two patients; the second one's pair is ordered twice."""
+    folder = tmp_path_factory.mktemp("orders")
+    nowhere = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+    feet = tuple(
+        FootRecord.begun(foot, nowhere, InsoleDesign(foot.side, grid_mm=2.0))
+        for foot in (left_foot, right_foot)
+    )
+    written = []
+    for number, (name, place) in enumerate(zip(NAMES, ("a.zip", "b"), strict=True), 1):
+        record = CaseRecord(Patient(name), feet, Side.LEFT)
+        choice = OrderChoice(
+            both=True, pseudonym=f"P-{number}", material="EVA", job_sheet=False,
+            most_triangles=6_000, most_deviation_mm=0.5, terms=OrderTerms(quantity=number),
+        )  # fmt: skip
+        parts = make_parts(record, choice, ExportRules({}, {}))
+        write_package(
+            [PackedItem(parts, choice, record.patient, {})], folder / place,
+            number=f"26-{number}", shop=read_shop(), now=datetime(2026, 11, 20, tzinfo=UTC),
+        )  # fmt: skip
+        written.append(folder / place)
+    return written
+
+
+def nested(orders: list[Path], **how: object) -> DayNest:
+    pieces = [piece for order in orders for piece in pieces_of_order(order)]
+    return nest_pieces(pieces, SHEET, **how)  # type: ignore[arg-type]
+
+
+def area_of(solid: TriangleMesh, grown_mm: float = 0.0) -> manifold3d.CrossSection:
+    polygons = [polygon.tolist() for polygon in silhouette(solid)]
+    return manifold3d.CrossSection(polygons).offset(grown_mm, manifold3d.JoinType.Round)
+
+
+@pytest.fixture(scope="module")
+def nest(orders: list[Path]) -> DayNest:
+    return nested(orders, marked=True)
+
+
+def test_all_pieces_lie_apart_within_the_sheet(nest: DayNest) -> None:
+    assert sorted(each.piece.name for each in nest.pieces) == [
+        "26-1 P-1 left", "26-1 P-1 right", *2 * ["26-2 P-2 left"], *2 * ["26-2 P-2 right"],
+    ]  # fmt: skip
+    grown = [area_of(each.solid, GAP_MM / 2 - 0.01) for each in nest.pieces]
+    assert max((one ^ other).area() for one, other in combinations(grown, 2)) < 1e-6
+    corners = np.concatenate([each.solid.bounds_mm for each in nest.pieces])
+    assert corners.min() >= -1e-6
+    assert (corners.max(axis=0) <= nest.block_mm).all()
+
+
+def test_left_stays_left(nest: DayNest) -> None:
+    """Each is turned about z alone, its great toe on the side where its foot has it."""
+    for each in nest.pieces:
+        assert np.linalg.det(each.piece2block[:3, :3]) == pytest.approx(1)
+        assert each.piece2block[2] == pytest.approx([0, 0, 1, 0])
+        vertices = each.piece.solid.vertices
+        tip = vertices[vertices[:, 1].argmax(), 0] - each.piece.solid.bounds_mm[:, 0].mean()
+        assert np.sign(tip) == each.piece.side.medial_sign
+    assert nest.notes == (), "all carry their mark"
+
+
+def test_nobody_is_named_and_every_outline_is_marked(nest: DayNest, tmp_path: Path) -> None:
+    written = write_nest(nest, tmp_path / "friday.stl", title="friday")
+    assert [path.name for path in written] == ["friday.stl", "friday.dxf", "friday-pieces.pdf"]
+    for path in written:
+        content = bytes_of_pdf(path) if path.suffix == ".pdf" else path.read_bytes()
+        assert not any(word.encode() in content for name in NAMES for word in name.split())
+    drawing = ezdxf.readfile(tmp_path / "friday.dxf").modelspace()
+    marks = sorted(text.dxf.text for text in drawing.query("TEXT"))
+    assert marks == sorted(each.piece.name for each in nest.pieces)
+    assert len(drawing.query('LWPOLYLINE[layer=="INSOLE"]')) == len(nest.pieces)
+    assert len(drawing.query('LWPOLYLINE[layer=="BLOCK"]')) == 1
+    sheet = " ".join(text_of_pdf(tmp_path / "friday-pieces.pdf").split())
+    assert all(f"{number}: 26-" in sheet for number in range(1, len(nest.pieces) + 1))
+    solid = read_mesh(tmp_path / "friday.stl").mesh
+    whole = np.concatenate([each.solid.bounds_mm for each in nest.pieces])
+    assert solid.bounds_mm[1] == pytest.approx(whole.max(axis=0), abs=0.01)
+
+
+def test_what_finds_no_room_or_is_too_high_is_told(orders: list[Path]) -> None:
+    pieces = list(pieces_of_order(orders[0]))
+    with pytest.raises(DesignError, match="1 of 2 pieces find room on small, 300 × 120 × 40 mm"):
+        nest_pieces(pieces, Block("small", (120.0, 300.0, 40.0)))
+    with pytest.raises(DesignError, match="mm high, and the block has 3 mm"):
+        nest_pieces(pieces, Block("thin", (600.0, 600.0, 3.0)))
+
+
+def test_files_of_an_order_are_taken_by_their_side(orders: list[Path], tmp_path: Path) -> None:
+    (solid,) = orders[1].glob("*-left.stl")
+    (piece,) = pieces_of_files([solid, tmp_path / "o-left-job-sheet.pdf"], "26-9")
+    assert piece.name == "26-9 left"
+    pair = tmp_path / "o-pair.stl"
+    pair.write_bytes(solid.read_bytes())
+    with pytest.raises(InputError, match=r"o-pair\.stl holds both sides"):
+        list(pieces_of_files([pair], "26-9"))
+    with pytest.raises(InputError, match="without solids"):
+        list(pieces_of_files([], "26-9"))
+
+
+def test_a_file_that_was_changed_is_refused(orders: list[Path], tmp_path: Path) -> None:
+    folder = tmp_path / "changed"
+    folder.mkdir()
+    for path in orders[1].iterdir():
+        (folder / path.name).write_bytes(path.read_bytes())
+    (solid,) = folder.glob("*-left.stl")
+    content = bytearray(solid.read_bytes())
+    content[-10] ^= 1
+    solid.write_bytes(content)
+    with pytest.raises(InputError, match="has been changed since the order was written"):
+        list(pieces_of_order(folder))
+
+
+def test_a_router_gets_one_program_for_all(tmp_path: Path) -> None:
+    corners = [(0, 0), (40, 0), (40, 50), (20, 70), (0, 60)]
+    solid = from_manifold(manifold3d.CrossSection([corners]).extrude(9.0))
+    pieces = [OrderedPiece(f"26-{n}", side, solid) for n in (1, 2) for side in Side]
+    machine = read_machine(resource_path("milling/grbl.json"))
+    nest = nest_pieces(pieces, Block("board", (220.0, 160.0, 12.0)), across=False)
+    write_nest(nest, tmp_path / "n.stl", title="n", milling=MillingChoice(machine))
+    assert (tmp_path / "n.nc").read_text().startswith("(n)")
+    sheet = text_of_pdf(tmp_path / "n-setup-sheet.pdf")
+    assert all(f"{number}: 26-" in sheet for number in (1, 2, 3, 4))
