@@ -8,7 +8,7 @@ https://hl7.org/fhir/R4/patient.html, https://hl7.org/fhir/R4/devicerequest.html
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -18,6 +18,7 @@ from insole_core.insole.prescription.prescription_lines import correction_lines,
 from insole_core.records.order import Order, OrderState
 from insole_core.records.person import Person
 from insole_core.records.prescription import VersionSummary
+from insole_core.records.record_field import typed_fields
 from insole_core.records.visit import Visit
 
 Resource = dict[str, Any]
@@ -53,6 +54,14 @@ STATUS_OF: Final[Mapping[OrderState, str]] = {
 }
 """Code of RequestStatus by the state of the order."""
 
+_ELEMENTS: Final[Mapping[str, Callable[[str], Any]]] = {
+    "name": lambda text: [{"use": "official", "text": text}],
+    "telecom": lambda text: [
+        {"system": "other", "value": line.strip()} for line in text.splitlines() if line.strip()
+    ],
+}
+"""How an element of a `Patient` that is more than a text holds one."""
+
 
 @dataclass(frozen=True)
 class PrescribedDevice:
@@ -85,14 +94,10 @@ def patient_resource(person: Person, *, is_pseudonymous: bool = False) -> Resour
     resource |= {
         "identifier": [*_personal_numbers(person), pseudonym, _uuid(person.id)],
         "active": person.merged_into is None and not person.is_erased,
-        "name": [{"use": "official", "text": person.name}],
     }
-    if person.contact:
-        lines = [line.strip() for line in person.contact.splitlines() if line.strip()]
-        resource["telecom"] = [{"system": "other", "value": line} for line in lines]
-    if person.birth_date is not None:
-        resource["birthDate"] = person.birth_date.isoformat()
-    return resource
+    return resource | {
+        element: _ELEMENTS.get(element, str)(text) for element, text in _texts_of(person)
+    }
 
 
 def device_request_resource(person: Person, device: PrescribedDevice) -> Resource:
@@ -117,13 +122,21 @@ def device_request_resource(person: Person, device: PrescribedDevice) -> Resourc
         resource["groupIdentifier"] = {"value": order.number}
     if order is not None and order.shop:
         resource["performer"] = {"display": order.shop}
-    reasons = [text for text in (visit.reason, visit.findings) if text]
+    reasons = [text for element, text in _texts_of(visit) if element == "reasonCode"]
     if reasons:
         resource["reasonCode"] = [_words(text) for text in reasons]
     lines = correction_lines(design)
     if lines:
         resource["note"] = [{"text": line} for line in lines]
     return resource
+
+
+def _texts_of(value: Person | Visit) -> Iterator[tuple[str, str]]:
+    """Yield the FHIR element and the text of each filled field that declares one."""
+    for name, field in typed_fields(type(value)).items():
+        text = field.written(getattr(value, name))
+        if field.fhir and text:
+            yield field.fhir, text
 
 
 def _personal_numbers(person: Person) -> list[Resource]:

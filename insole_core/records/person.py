@@ -6,7 +6,7 @@ import secrets
 import uuid
 from dataclasses import dataclass, field, replace
 from datetime import date
-from typing import Annotated, Final, Literal, TypeAlias
+from typing import Annotated, Final
 
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.records.marks import PSEUDONYM, PSEUDONYM_STAYS, TAKEN_OVER
@@ -55,17 +55,17 @@ class Person:
     """
 
     name: Annotated[str, Line(
-        "name", PSEUDONYM, label="Name", is_needed=True,
+        "name", PSEUDONYM, label="Name", is_needed=True, is_listed=True, stated="name", fhir="name",
         headings=("name", "full name", "patient", "patient name", "person", "namn", "patientnamn",
                   "kund"),
     )]  # fmt: skip
     birth_date: Annotated[date | None, BirthDate(
-        "birth date", TAKEN_OVER, label="Born",
+        "birth date", TAKEN_OVER, label="Born", is_listed=True, stated="born", fhir="birthDate",
         headings=("birth date", "date of birth", "birthday", "born", "dob", "födelsedatum", "född",
                   "födelsedag", "geburtsdatum", "geboren", "geb", "geb datum"),
     )] = None  # fmt: skip
     personal_number: Annotated[str, Line(
-        "personal number", TAKEN_OVER, label="Personal number", most=MOST_NUMBER,
+        "personal number", TAKEN_OVER, label="Personal number", most=MOST_NUMBER, is_listed=True,
         headings=("personal number", "personal id", "identity number", "national id", "ssn",
                   "personnummer", "pnr", "versichertennummer", "personennummer"),
     )] = ""  # fmt: skip
@@ -74,7 +74,7 @@ class Person:
         names={kind.key: kind.name for kind in KINDS.values()},
     )] = ""  # fmt: skip
     contact: Annotated[str, Lines(
-        "contact", TAKEN_OVER, label="Address, phone", is_low=True,
+        "contact", TAKEN_OVER, label="Address, phone", is_low=True, fhir="telecom",
         headings=("contact", "phone", "telephone", "mobile", "email", "mail", "address", "street",
                   "city", "town", "zip", "postcode", "postal code", "telefon", "tel", "mobil",
                   "telefonnummer", "mobilnummer", "epost", "adress", "gata", "gatuadress", "ort",
@@ -144,7 +144,7 @@ class Person:
 
 @dataclass(frozen=True)
 class PersonSummary:
-    """A person in a list.
+    """A person in a list: whatever of `Person` is listed, and what tells persons apart.
 
     Parameters
     ----------
@@ -158,7 +158,3 @@ class PersonSummary:
     personal_number: str
     pseudonym: str
     last_visit: date | None = None
-
-
-PersonKey: TypeAlias = Literal["name", "birth_date", "personal_number", "last_visit"]
-"""What a list of persons can be sorted by."""

@@ -233,7 +233,7 @@ def _read(name: str, table: TextTable, row: TableRow, mapping: ColumnMapping, to
     text = "\n".join(cell for _, cell in cells)
     if isinstance(field, Day):
         return read_date(text, mapping.date_order) if text else None
-    return text if field.kind is str else field.read(text, today)
+    return text if isinstance(field, Line | Lines) else field.read(text, today)
 
 
 def _agreed_birth_date(born: date | None, number: str, kind: str) -> date | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from datetime import date
 from typing import Any, Final
 
@@ -34,7 +34,7 @@ from insole_core.records.merging import (
     preview_merge,
     undo_merge,
 )
-from insole_core.records.person import Person, PersonKey, PersonSummary, new_pseudonym
+from insole_core.records.person import Person, PersonSummary, new_pseudonym
 from insole_core.records.person_rows import (
     PERSON_FIELDS,
     found_by,
@@ -43,7 +43,7 @@ from insole_core.records.person_rows import (
     touch_person,
     write_search_text,
 )
-from insole_core.records.record_field import changed_fields
+from insole_core.records.record_field import changed_fields, fields_of
 from insole_core.records.rights import Right
 from insole_core.records.schema import person_words, persons, visits
 from insole_core.records.search_text import search_words
@@ -55,13 +55,7 @@ _FEW: Final = 500
 """If more have each of the words, many names that begin with the first are likely to fit."""
 _MANY: Final = 2000
 """Less are looked at one by one in some ten milliseconds; of more, many are likely to fit."""
-_SUMMARY: Final = (
-    persons.c.id,
-    persons.c.name,
-    persons.c.birth_date,
-    persons.c.personal_number,
-    persons.c.pseudonym,
-)
+_SUMMARY: Final = tuple(persons.c[f.name] for f in fields(PersonSummary) if f.name in persons.c)
 _CAN_BE_FOUND: Final = (persons.c.merged_into.is_(None), persons.c.is_erased.is_(False))
 
 
@@ -103,7 +97,7 @@ class Persons:
         return found
 
     def listed(
-        self, typed: str, sorted_by: PersonKey, limit: int, *, is_descending: bool = False
+        self, typed: str, sorted_by: str, limit: int, *, is_descending: bool = False
     ) -> list[PersonSummary]:
         """Return everybody, or whom `search` finds, in the order of one of their fields.
 
@@ -112,15 +106,9 @@ class Persons:
         typed
             As for `search`; empty for everybody.
         sorted_by
-            Whose field is empty comes last.
+            A field that is listed, or "last_visit"; whose is empty comes last.
         """
-        columns: dict[PersonKey, ColumnElement[Any]] = {
-            "name": persons.c.sort_key,
-            "birth_date": persons.c.birth_date,
-            "personal_number": func.nullif(persons.c.personal_number, ""),
-            "last_visit": _last_visit(persons.c.id),
-        }
-        column = columns[sorted_by]
+        column = _sorting_column(sorted_by)
         column = column.desc() if is_descending else column.asc()
         query = _listed().where(*(_holds(word) for word in search_words(typed)))
         query = query.order_by(column.nulls_last(), persons.c.sort_key, persons.c.id)
@@ -307,6 +295,15 @@ def _values(person: Person) -> dict[str, Any]:
 def _listed() -> Select[Any]:
     """Return the query of the summaries of all who can be found."""
     return select(*_SUMMARY, _last_visit(persons.c.id)).where(*_CAN_BE_FOUND)
+
+
+def _sorting_column(name: str) -> ColumnElement[Any] | ScalarSelect[date | None]:
+    if name == "last_visit":
+        return _last_visit(persons.c.id)
+    if name == "name":
+        return persons.c.sort_key
+    column, field = persons.c[name], fields_of(Person)[name]
+    return func.nullif(column, "") if field.kind is str else column
 
 
 def _last_visit(person_id: ColumnElement[str]) -> ScalarSelect[date | None]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import unicodedata
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
 from datetime import date
 from enum import Enum, auto
@@ -18,6 +18,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 from insole_core.annotated import said_of_fields
 from insole_core.cases.days import EARLIEST, LATEST_AHEAD, read_day
 from insole_core.errors import InputError
+from insole_core.folded_text import fold
+from insole_core.messages import Message, joined
 from insole_core.records.field_checks import (
     MOST_NAME,
     MOST_TEXT,
@@ -138,11 +140,20 @@ class Typed(Field):
         German; none for a field that is not imported.
     is_told
         Whether papers and sentences tell it; not, if it only says how another one is meant.
+    is_listed
+        Whether it is a column of lists, and stands in the heading of a card.
+    stated
+        What the statement of a device calls it; empty where it does not tell it.
+    fhir
+        The element of the FHIR resource that holds it; empty for none.
     """
 
     label: str
     headings: tuple[str, ...] = ()
     is_told: bool = True
+    is_listed: bool = False
+    stated: str = ""
+    fhir: str = ""
 
     def read(self, text: str, today: date) -> Any:
         """Return what was typed, as it is stored.
@@ -157,6 +168,10 @@ class Typed(Field):
     def written(self, value: Any) -> str:
         """Return a value as it can be typed."""
         return "" if value is None else str(value)
+
+    def said(self, value: Any) -> str:
+        """Return a value as papers and windows tell it: a message if it is to be translated."""
+        return self.written(value)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -217,8 +232,26 @@ class Choice(Typed):
     names: Mapping[str, str]
 
     def checked(self, value: Any, today: date) -> str:
-        """Return the word; whatever it says of another field is checked there."""
-        return str(value)
+        """Return the word."""
+        word = str(value)
+        if word not in self.names and (word or self.is_needed):
+            raise InputError(
+                "The {what} is one of: {names}; {word} is none of them.",
+                what=self.noun,
+                names=joined(map(Message, self.names.values())),
+                word=word[:40],
+            )
+        return word
+
+    def read(self, text: str, today: date) -> str:
+        """Return the word, by itself or by what it is called, in whatever letters."""
+        typed = fold(text.strip())
+        words = (word for word, name in self.names.items() if typed in (fold(word), fold(name)))
+        return self.checked(next(words, text.strip()), today)
+
+    def said(self, value: Any) -> str:
+        """Return what the word is called; nothing for none."""
+        return Message(self.names[value]) if value else ""
 
 
 class Day(Typed):
@@ -286,6 +319,10 @@ class Number(Typed):
         """Return the number without needless digits."""
         return "" if value is None else f"{value:g}"
 
+    def said(self, value: Any) -> str:
+        """Return the same, to be translated: with the decimal sign of the language."""
+        return "" if value is None else Message("{number:.12g}", number=value)
+
 
 def fields_of(kind: type[object]) -> Mapping[str, Field]:
     """Return the declared fields of a kind of value by their names, in the order of its forms."""
@@ -295,6 +332,19 @@ def fields_of(kind: type[object]) -> Mapping[str, Field]:
 def typed_fields(kind: type[object]) -> dict[str, Typed]:
     """Return those fields that somebody fills in."""
     return {name: f for name, f in fields_of(kind).items() if isinstance(f, Typed)}
+
+
+def listed_fields(kind: type[object]) -> dict[str, Typed]:
+    """Return those fields that are columns of lists."""
+    return {name: field for name, field in typed_fields(kind).items() if field.is_listed}
+
+
+def told_fields(value: DataclassInstance) -> Iterator[tuple[Typed, str]]:
+    """Yield the fields of a value that are told and filled in, and what is said of them."""
+    for name, field in typed_fields(type(value)).items():
+        said = field.said(getattr(value, name))
+        if field.is_told and said:
+            yield field, said
 
 
 def check_fields(value: Value, today: date) -> Value:

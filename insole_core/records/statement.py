@@ -22,8 +22,11 @@ from insole_core.insole.prescription.prescription_lines import correction_lines,
 from insole_core.messages import Message, Translate, joined
 from insole_core.records.capture import NOT_RECORDED, CaptureFacts
 from insole_core.records.context import RecordsContext
+from insole_core.records.marks import Erased
+from insole_core.records.person import Person
 from insole_core.records.person_rows import person_of
 from insole_core.records.prescriptions import Prescriptions
+from insole_core.records.record_field import typed_fields
 from insole_core.records.schema import (
     accounts,
     captures,
@@ -31,9 +34,10 @@ from insole_core.records.schema import (
     order_feet,
     orders,
     prescription_versions,
-    visits,
 )
 from insole_core.records.signing import is_as_signed
+from insole_core.records.visit import Visit
+from insole_core.records.visit_rows import visit_of
 from insole_core.solids.prescription_paper import (
     Responsible,
     require_statement,
@@ -277,16 +281,24 @@ def _foot(connection: Connection, context: RecordsContext, row: Row[Any]) -> Foo
 
 def _identification(connection: Connection, order: Row[Any]) -> dict[str, str]:
     person = person_of(connection, order.person_id)
-    visited_on = connection.execute(
-        select(visits.c.visited_on).where(visits.c.id == order.visit_id)
-    ).scalar_one()
+    visit = visit_of(connection, order.visit_id)
     facts = {
-        "name": "" if person.is_erased else person.name,
-        "born": "" if person.birth_date is None else person.birth_date.isoformat(),
+        **_stated(person),
         "pseudonym": f"{person.pseudonym}, {order.number}" if person.is_erased else order.number,
-        "visit": visited_on.isoformat(),
+        **_stated(visit),
     }
     return {name: value for name, value in facts.items() if value}
+
+
+def _stated(value: Person | Visit) -> dict[str, str]:
+    """Return what identifies the person and the visit, without what an erasure took away."""
+    fields = typed_fields(type(value)).items()
+    is_erased = isinstance(value, Person) and value.is_erased
+    return {
+        field.stated: field.written(getattr(value, name))
+        for name, field in fields
+        if field.stated and not (is_erased and field.mark.erased is Erased.PSEUDONYM)
+    }
 
 
 def _full_name(connection: Connection, name: str) -> str:

@@ -51,12 +51,15 @@ class Visit:
 
     person_id: str
     visited_on: Annotated[date, VisitDay(
-        "day of the visit", WHEN, label="Day", is_needed=True, is_told=False,
+        "day of the visit", WHEN, label="Day", is_needed=True, is_told=False, stated="visit",
     )]  # fmt: skip
     reason: Annotated[str, Line(
-        "reason", EMPTIED, label="Reason", most=MOST_TEXT, has_breaks=True,
+        "reason", EMPTIED, label="Reason", most=MOST_TEXT, has_breaks=True, is_listed=True,
+        fhir="reasonCode",
     )] = ""  # fmt: skip
-    findings: Annotated[str, Lines("findings", EMPTIED, label="Findings")] = ""
+    findings: Annotated[str, Lines(
+        "findings", EMPTIED, label="Findings", fhir="reasonCode",
+    )] = ""  # fmt: skip
     weight_kg: Annotated[float | None, Number(
         "weight in kg", EMPTIED, label="Weight (kg)", least=1, most=400,
     )] = None  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
+from dataclasses import fields, replace
 from datetime import date
 from typing import Any, Final
 
@@ -12,6 +12,7 @@ from sqlalchemy import Connection, Row, Select, delete, func, insert, select, up
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
+from insole_core.messages import Message, joined
 from insole_core.records.audit import AuditLog
 from insole_core.records.checked_values import word_of
 from insole_core.records.context import RecordsContext
@@ -21,7 +22,7 @@ from insole_core.records.person_rows import locked_person, person_of
 from insole_core.records.prescription import Base
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.presence import Presence
-from insole_core.records.record_field import changed_fields, typed_fields
+from insole_core.records.record_field import changed_fields, fields_of, typed_fields
 from insole_core.records.rights import Right
 from insole_core.records.schema import (
     captures,
@@ -207,15 +208,9 @@ def _summary(row: Row[Any]) -> VisitSummary:
 
 
 def _listed() -> Select[Any]:
-    return select(
-        visits.c.id,
-        visits.c.person_id,
-        persons.c.name.label("person_name"),
-        persons.c.birth_date,
-        visits.c.visited_on,
-        visits.c.reason,
-        visits.c.capture_state,
-    ).join(persons, persons.c.id == visits.c.person_id)
+    of_visit = (visits.c[f.name] for f in fields(VisitSummary) if f.name in visits.c)
+    of_person = persons.c.name.label("person_name"), persons.c.birth_date
+    return select(*of_visit, *of_person).join(persons, persons.c.id == visits.c.person_id)
 
 
 _HELD: Final = {
@@ -225,6 +220,13 @@ _HELD: Final = {
     "orders": orders,
     "follow_ups": follow_ups,
 }
+
+
+_SAYS_SOMETHING: Final = {
+    "measures",
+    *(name for name, field in typed_fields(Visit).items() if not field.is_needed),
+}
+"""Fields of a visit that are empty in one that was made by mistake."""
 
 
 def _held_by(connection: Connection, visit_id: str) -> dict[str, int]:
@@ -254,10 +256,15 @@ def _check_empty(connection: Connection, visit: Visit) -> None:
             day=day,
             **counts,
         )
-    fields = typed_fields(Visit).items()
-    if visit.measures or any(getattr(visit, name) for name, field in fields if not field.is_needed):
+    filled = [
+        Message(field.noun)
+        for name, field in fields_of(Visit).items()
+        if name in _SAYS_SOMETHING and getattr(visit, name)
+    ]
+    if filled:
         raise RecordsError(
-            "The visit of {day} has a reason, findings, weight, shoe size or measures, and is "
-            "kept; clear them under “Edit…” first if it was made by mistake.",
+            "The visit of {day} has {fields}, and is kept; clear this under “Edit…” first if it "
+            "was made by mistake.",
             day=day,
+            fields=joined(filled),
         )

@@ -17,7 +17,6 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.elements.words import number_message
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.messages import Message, Translate
 from insole_core.records.capture import Capture
@@ -26,7 +25,7 @@ from insole_core.records.person import Person
 from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.program_version import program_version
-from insole_core.records.record_field import typed_fields
+from insole_core.records.record_field import told_fields
 from insole_core.records.times import utc_now
 from insole_core.records.visit import Visit
 from insole_core.solids.checks import survey_side
@@ -164,13 +163,9 @@ def _section(key: str, title: str, lines: Iterable[str]) -> ReportSection:
 def _field_lines(value: Person | Visit, texts: _Texts) -> list[str]:
     """Return what was filled in, each field with its label in front."""
     lines: list[str] = []
-    for name, field in typed_fields(type(value)).items():
-        said = getattr(value, name)
-        is_number = isinstance(said, float)
-        text = texts.translate(number_message(said)) if is_number else field.written(said)
-        if field.is_told and text:
-            first, *others = text.splitlines()
-            lines += [f"{texts.translate(field.label)}: {first}", *others]
+    for field, said in told_fields(value):
+        first, *others = (texts.translate(said) if isinstance(said, Message) else said).splitlines()
+        lines += [f"{texts.translate(field.label)}: {first}", *others]
     return lines
 
 

@@ -3860,8 +3860,8 @@
             <translation>Besöket är öppet just nu: {who}; stäng det där innan det tas bort.</translation>
         </message>
         <message>
-            <source>The visit of {day} has a reason, findings, weight, shoe size or measures, and is kept; clear them under “Edit…” first if it was made by mistake.</source>
-            <translation>Besöket den {day} har orsak, fynd, vikt, skostorlek eller mått och finns kvar; töm dem under ”Redigera…” först om det skapades av misstag.</translation>
+            <source>The visit of {day} has {fields}, and is kept; clear this under “Edit…” first if it was made by mistake.</source>
+            <translation>Besöket den {day} har {fields} och finns kvar; töm det under ”Redigera…” först om det skapades av misstag.</translation>
         </message>
         <message>
             <source>The visit of {day} holds scans ({scans}), photos ({photos}), versions of prescriptions ({versions}), orders ({orders}) or follow-ups ({follow_ups}), and is kept; only an empty visit can be deleted.</source>
@@ -4010,6 +4010,10 @@
         <message>
             <source>The {what} is missing; type one.</source>
             <translation>{what} saknas; fyll i fältet.</translation>
+        </message>
+        <message>
+            <source>The {what} is one of: {names}; {word} is none of them.</source>
+            <translation>Fältet {what} är ett av: {names}; {word} är inget av dem.</translation>
         </message>
         <message>
             <source>The {what} is that of {name}, {born}; name or birth date differ.</source>

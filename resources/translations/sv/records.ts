@@ -776,10 +776,6 @@
             <translation>höger: {words}</translation>
         </message>
         <message>
-            <source>shoe size EU {size}</source>
-            <translation>skostorlek EU {size}</translation>
-        </message>
-        <message>
             <source>signed by {name}</source>
             <translation>signerad av {name}</translation>
         </message>

@@ -12,9 +12,10 @@ from shiboken6 import isValid
 
 from insole_core.records.person import PersonSummary
 from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.services.person_list import person_headings, person_rows
 from insole_studio.texts import tr
 from insole_studio.widgets.message_label import MessageLabel
-from insole_studio.widgets.row_table import RowTable, TableRow
+from insole_studio.widgets.row_table import RowTable
 
 if TYPE_CHECKING:
     from insole_core.records.records import Records
@@ -49,7 +50,7 @@ class PersonPicker(QWidget):
         self.search.setClearButtonEnabled(True)
         self.search.textEdited.connect(self._search)
         self.search.installEventFilter(self)
-        self.table = RowTable((tr("Name"), tr("Born"), tr("Number"), tr("Last visit")))
+        self.table = RowTable(person_headings())
         self.table.setAccessibleName(title)
         self.table.current_changed.connect(lambda _key: self.person_changed.emit())
         layout = QVBoxLayout(self)
@@ -100,13 +101,6 @@ class PersonPicker(QWidget):
 
     def _show(self, found: Sequence[PersonSummary]) -> None:
         self._found = {person.id: person for person in found}
-        self.table.show_rows([person_row(person) for person in found])
+        self.table.show_rows(person_rows(found))
         self.table.take_first()
         self.person_changed.emit()
-
-
-def person_row(person: PersonSummary) -> TableRow:
-    """Return a person as a row of a list."""
-    days = ("" if d is None else d.isoformat() for d in (person.birth_date, person.last_visit))
-    born, last_visit = days
-    return TableRow(person.id, (person.name, born, person.personal_number, last_visit))

@@ -8,6 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from insole_studio.features.records.start_page import MOST_LETTERS
+from insole_studio.services.person_list import person_headings
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -31,7 +32,7 @@ class ChoosePersonDialog(QDialog):
         self.search.setMaxLength(MOST_LETTERS)
         self.search.setAccessibleName(tr("Search patients"))
         self.search.textChanged.connect(self.search_edited)
-        self.table = RowTable((tr("Name"), tr("Born"), tr("Number"), tr("Last visit")))
+        self.table = RowTable(person_headings())
         self.table.setAccessibleName(tr("Patients"))
         self.table.chosen.connect(self._choose)
         self.table.current_changed.connect(self._allow)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.records.record_field import FieldChoice, Lines, Typed
-from insole_studio.features.records.record_form import shown_text
+from insole_studio.features.records.record_texts import shown_message
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.vertical_scroll import VerticalScroll
 
@@ -59,8 +59,8 @@ def collided_fields(
         CollidedField(
             name,
             translate_core_message(fields[name].label),
-            shown_text(fields[name], getattr(mine, name)),
-            shown_text(fields[name], getattr(theirs, name)),
+            shown_message(fields[name].said(getattr(mine, name))),
+            shown_message(fields[name].said(getattr(theirs, name))),
             isinstance(fields[name], Lines),
         )
         for name in names

@@ -48,7 +48,7 @@ from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
 from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
-from insole_studio.features.records.record_texts import person_rows, version_text
+from insole_studio.features.records.record_texts import version_text
 from insole_studio.features.records.same_prescription import (
     SamePrescription,
     last_prescriptions,
@@ -60,6 +60,7 @@ from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_photos import VisitPhotos
 from insole_studio.features.records.visit_presence import VisitPresence
 from insole_studio.services.app_services import AppServices
+from insole_studio.services.person_list import person_rows
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:

@@ -31,12 +31,13 @@ from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_form import label_of, shown_texts
 from insole_studio.features.records.record_texts import (
     capture_text,
-    measures_text,
     mirrored_text,
     prescribed_text,
     reused_scan_text,
     scan_text,
     version_text,
+    visit_heading,
+    visit_texts,
     visit_time_text,
 )
 from insole_studio.features.records.rows import FootLine, Trend, VisitRow
@@ -49,7 +50,6 @@ if TYPE_CHECKING:
 READ = "records-person"
 log = logging.getLogger(__name__)
 
-_MOST_FINDINGS = 200
 """Characters of the findings that a card shows."""
 _MOST_SCANS = 3
 """Captures that a card tells of, the latest."""
@@ -289,10 +289,7 @@ def _row(shown: VisitView) -> VisitRow:
         notes.append(tr("Capture: {state}").format(state=state))
     if shown.others:
         notes.append(tr("Open at the moment: {who}").format(who="; ".join(shown.others)))
-    if measures := measures_text(visit):
-        notes.append(measures)
-    if visit.findings:
-        notes.append(" ".join(visit.findings.split())[:_MOST_FINDINGS])
+    notes += visit_texts(visit)
     notes += [order_text(order, date.today()) for order in shown.orders]
     feet = tuple(
         FootLine(
@@ -306,7 +303,7 @@ def _row(shown: VisitView) -> VisitRow:
     return VisitRow(
         visit.id,
         visit_time_text(visit),
-        visit.reason,
+        visit_heading(visit),
         feet,
         tuple(notes),
         shown.photos,

@@ -8,12 +8,16 @@ from datetime import date
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import corrections_in_words
+from insole_core.messages import Message
 from insole_core.records.capture import Capture
-from insole_core.records.person import PersonSummary
 from insole_core.records.prescription import VersionSummary
+from insole_core.records.record_field import Lines, listed_fields, told_fields
 from insole_core.records.visit import CaptureState, Visit, VisitSummary
-from insole_studio.texts import localised, moment_text, tr, translate_core_message
+from insole_studio.texts import moment_text, tr, translate_core_message
 from insole_studio.widgets.row_table import TableRow
+
+_MOST_LETTERS = 200
+"""Of a long text on the card of a visit."""
 
 
 def day_text(day: date | None) -> str:
@@ -60,14 +64,28 @@ def visit_time_text(visit: Visit) -> str:
     return begun if begun.startswith(f"{day} ") else day
 
 
-def measures_text(visit: Visit) -> str:
-    """Return weight and shoe size of a visit; empty where neither is known."""
-    weight, size = visit.weight_kg, visit.shoe_size_eu
-    parts = (
-        "" if weight is None else f"{localised(weight, 'g')} kg",
-        "" if size is None else tr("shoe size EU {size}").format(size=localised(size, "g")),
-    )
-    return ", ".join(filter(None, parts))
+def visit_heading(visit: Visit) -> str:
+    """Return what is said of a visit beside its day."""
+    listed = listed_fields(Visit).items()
+    said = (shown_message(field.said(getattr(visit, name))) for name, field in listed)
+    return "   ".join(filter(None, said))
+
+
+def visit_texts(visit: Visit) -> list[str]:
+    """Return what was found on a visit: a line for each long text, one for all else."""
+    short: list[str] = []
+    long: list[str] = []
+    for field, said in told_fields(visit):
+        if not field.is_listed:
+            line = f"{translate_core_message(field.label)}: {shown_message(said)}"
+            (long if isinstance(field, Lines) else short).append(line)
+    texts = [", ".join(short), *(" ".join(line.split())[:_MOST_LETTERS] for line in long)]
+    return [text for text in texts if text]
+
+
+def shown_message(said: str) -> str:
+    """Return what a field says in the language of the window; what was typed is as it is."""
+    return translate_core_message(said) if isinstance(said, Message) else said
 
 
 def prescribed_text(design: InsoleDesign | None) -> str:
@@ -87,25 +105,22 @@ def version_text(version: VersionSummary) -> str:
     return ", ".join(parts)
 
 
-def person_rows(persons: Sequence[PersonSummary]) -> list[TableRow]:
-    """Return the rows of persons in a list."""
-    return [
-        TableRow(
-            person.id,
-            (
-                person.name,
-                day_text(person.birth_date),
-                person.personal_number,
-                day_text(person.last_visit),
-            ),
-        )
-        for person in persons
-    ]
+def visit_headings() -> tuple[str, ...]:
+    """Return the headings of a list of visits of one day."""
+    labels = (translate_core_message(field.label) for field in listed_fields(Visit).values())
+    return (tr("Name"), *labels, tr("Capture"))
 
 
 def visit_rows(visits: Sequence[VisitSummary]) -> list[TableRow]:
     """Return the rows of the visits of one day."""
     return [
-        TableRow(visit.id, (visit.person_name, visit.reason, capture_text(visit.capture_state)))
+        TableRow(
+            visit.id,
+            (
+                visit.person_name,
+                *(str(getattr(visit, name)) for name in listed_fields(Visit)),
+                capture_text(visit.capture_state),
+            ),
+        )
         for visit in visits
     ]

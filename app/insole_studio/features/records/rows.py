@@ -36,8 +36,7 @@ class VisitRow:
     day
         With the time at which it was begun, where that is known: there may be two on one day.
     notes
-        A line each: a capture that is waited for, who has it open; weight and shoe size; findings;
-        orders.
+        A line each: a capture that is waited for, who has it open; what was found; orders.
     photos
         Number of them.
     scan, scan_details

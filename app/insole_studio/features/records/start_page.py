@@ -17,6 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_studio.features.records.record_texts import visit_headings
+from insole_studio.services.person_list import person_headings
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.flow import FlowRow
@@ -53,7 +55,7 @@ class StartPage(QWidget):
         self.new_patient = self._button("", tr("New patient…"), "new_patient")
         self.new_patient.setObjectName("primary")
         self._found_title = _heading(tr("Recent patients"))
-        self.found = RowTable((tr("Name"), tr("Born"), tr("Number"), tr("Last visit")), sorts=False)
+        self.found = RowTable(person_headings(), sorts=False)
         self.found.setAccessibleName(tr("Patients"))
         self.found.chosen.connect(self.person_chosen)
         self.more = QPushButton(tr("Show more"))
@@ -63,7 +65,7 @@ class StartPage(QWidget):
         self._nothing = QLabel()
         self._nothing.setObjectName("quiet")
         self._nothing.setWordWrap(True)
-        self.today = RowTable((tr("Name"), tr("Reason"), tr("Capture")))
+        self.today = RowTable(visit_headings())
         self.today.setAccessibleName(tr("Today's visits"))
         self.today.chosen.connect(self.visit_chosen)
         headings = (tr("Patient"), tr("Order"), tr("State"), tr("Due"))

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, Final
 
 from insole_core.errors import NotAllowed
 from insole_core.records.order import OPEN_STATES, OrderKey, OrderSearch
-from insole_core.records.person import PersonKey, PersonSummary
+from insole_core.records.person import PersonSummary
 from insole_core.records.visit import VisitSummary
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
 from insole_studio.features.records.order_rows import order_rows, sorted_as
-from insole_studio.features.records.record_texts import person_rows, visit_rows
+from insole_studio.features.records.record_texts import visit_rows
 from insole_studio.features.records.start_page import StartPage
+from insole_studio.services.person_list import COLUMNS as PERSON_COLUMNS
+from insole_studio.services.person_list import person_rows
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import Sorting
 
@@ -23,10 +25,6 @@ if TYPE_CHECKING:
 
 SEARCH, LISTS = "records-search", "records-lists"
 MOST_FOUND, MOST_RECENT, MOST_ORDERS = 50, 20, 100
-_PERSON_KEYS: Final[tuple[PersonKey, ...]] = (
-    "name", "birth_date", "personal_number", "last_visit",
-)  # fmt: skip
-"""What the columns of the list of patients are sorted by."""
 _ORDER_COLUMNS: Final[tuple[OrderKey, ...]] = ("person_name", "number", "state", "due_on")
 
 
@@ -147,7 +145,7 @@ class StartPresenter:
         def find(records: Records) -> list[PersonSummary]:
             # one more than are shown tells whether there are more
             if sorting is not None:
-                key = _PERSON_KEYS[sorting.column]
+                key = PERSON_COLUMNS[sorting.column]
                 return records.persons.listed(
                     typed, key, most + 1, is_descending=sorting.is_descending
                 )

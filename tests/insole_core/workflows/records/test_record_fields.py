@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import jsonschema
 import pytest
@@ -15,11 +15,13 @@ from sqlalchemy import Column
 
 from insole_core.errors import InputError
 from insole_core.evaluation.report import section_lines
+from insole_core.messages import Message
 from insole_core.records import schema
 from insole_core.records.author import Author
 from insole_core.records.capture import CaptureFacts
+from insole_core.records.fhir import patient_resource
 from insole_core.records.follow_up import FollowUp
-from insole_core.records.marks import Erased, Merged
+from insole_core.records.marks import TAKEN_OVER, Erased, Merged
 from insole_core.records.open import open_records
 from insole_core.records.order import Order
 from insole_core.records.person import Person
@@ -31,8 +33,11 @@ from insole_core.records.record_field import (
     Day,
     Number,
     Typed,
+    check_fields,
     fields_of,
+    listed_fields,
     merge_fields,
+    told_fields,
     typed_fields,
 )
 from insole_core.records.records import Records
@@ -276,6 +281,58 @@ def test_what_a_field_cannot_hold_is_refused_by_its_name(name: str) -> None:
         wrong = date(1801, 1, 1)
     if isinstance(field, Number):
         wrong = field.most + 1
-    what = "kind of personal number" if isinstance(field, Choice) else field.noun
-    with pytest.raises(InputError, match=f"The {what} |no {what}"):
+    with pytest.raises(InputError, match=f"The {field.noun} |no {field.noun}"):
         replace(value, **{name: wrong}).checked(TODAY)
+
+
+@dataclass(frozen=True)
+class Shod:
+    """A value with a field that is one of a few words."""
+
+    shoe: Annotated[str, Choice(
+        "shoe", TAKEN_OVER, label="Usual shoe", names={"boot": "Boot", "low": "Low shoe"},
+    )] = ""  # fmt: skip
+
+
+def test_a_choice_is_one_of_its_words_wherever_it_comes_from() -> None:
+    (shoe,) = typed_fields(Shod).values()
+    assert [shoe.read(text, TODAY) for text in ("boot", " LOW SHOE", "")] == ["boot", "low", ""]
+    with pytest.raises(InputError, match="The shoe is one of: Boot, Low shoe; clog is none of"):
+        shoe.read("clog", TODAY)
+    with pytest.raises(InputError, match="clog"):
+        check_fields(Shod("clog"), TODAY)
+    with pytest.raises(InputError, match="kind of number"):
+        replace(PERSON, personal_number="", number_kind="martian").checked(TODAY)
+
+
+def test_a_choice_is_told_by_its_name_to_be_translated() -> None:
+    ((_, said),) = told_fields(Shod("low"))
+    assert (said, isinstance(said, Message)) == ("Low shoe", True)
+    assert list(told_fields(Shod())) == []
+
+
+def test_lists_hold_a_column_for_every_field_that_is_listed(
+    records: Records, person: Person
+) -> None:
+    (found,) = records.persons.search(person.pseudonym, 2)
+    assert {name: getattr(found, name) for name in listed_fields(Person)} == {
+        name: getattr(person, name) for name in listed_fields(Person)
+    }
+    for name in listed_fields(Person):
+        assert found in records.persons.listed("", name, 10)
+    (visit,) = records.visits.on(VISIT["visited_on"])
+    assert {name: getattr(visit, name) for name in listed_fields(Visit)} == {
+        name: VISIT[name] for name in listed_fields(Visit)
+    }
+
+
+def test_another_system_gets_every_field_that_it_has_an_element_for() -> None:
+    resource = json.dumps(patient_resource(PERSON), ensure_ascii=False)
+    held = {
+        name
+        for name, field in OF_PERSON.items()
+        if f'"{field.written(vars(PERSON)[name])}"' in resource
+    }
+    declared = {name for name, field in OF_PERSON.items() if field.fhir}
+    assert held == declared | {"pseudonym"}
+    assert all(element in patient_resource(PERSON) for element in ("name", "telecom", "birthDate"))

@@ -591,7 +591,11 @@ def test_a_card_tells_what_was_prescribed_measured_and_ordered(
     told = replace(visit, weight_kg=72.5, shoe_size_eu=42.0, findings="Flat foot")
     records.visits.change(told, visit.revision)
     day = date.today().isoformat()
-    lines = ["72.5 kg, shoe size EU 42", "Flat foot", f"Order A 7, Designed, due {day}"]
+    lines = [
+        "Weight (kg): 72.5, Shoe size EU: 42",
+        "Findings: Flat foot",
+        f"Order A 7, Designed, due {day}",
+    ]
 
     def labels() -> list[str]:
         return [label.text() for label in page.cards[visit.id].findChildren(QLabel)]

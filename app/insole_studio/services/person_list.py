@@ -1,0 +1,34 @@
+"""Lists of persons: a column for each field that is listed, and the last visit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Final
+
+from insole_core.records.person import Person, PersonSummary
+from insole_core.records.record_field import listed_fields
+from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.row_table import TableRow
+
+COLUMNS: Final = (*listed_fields(Person), "last_visit")
+"""By what the columns can be sorted."""
+
+
+def person_headings() -> tuple[str, ...]:
+    """Return the headings of the columns."""
+    labels = (translate_core_message(field.label) for field in listed_fields(Person).values())
+    return (*labels, tr("Last visit"))
+
+
+def person_rows(persons: Iterable[PersonSummary]) -> list[TableRow]:
+    """Return a row for each person."""
+    return [TableRow(person.id, tuple(map(_text, _values(person)))) for person in persons]
+
+
+def _values(person: PersonSummary) -> Iterable[object]:
+    return (getattr(person, name) for name in COLUMNS)
+
+
+def _text(value: object) -> str:
+    """Return a value as text: a day as ISO 8601, nothing for what is unknown."""
+    return "" if value is None else str(value)
