@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import struct
 
-_PNG = b"\x89PNG\r\n\x1a\n"
+PNG = b"\x89PNG\r\n\x1a\n"
+"""How a PNG begins."""
 _NO_FRAMES = (0xFFC4, 0xFFC8, 0xFFCC)
 """Segments of a JPEG that are numbered like those that start a frame."""
 _TIFF_WIDTH, _TIFF_HEIGHT, _TIFF_SHORT = 256, 257, 3
@@ -16,7 +17,7 @@ def picture_size(content: bytes) -> tuple[int, int] | None:
     Decoding first would fill the memory with what a small file can unfold to.
     """
     try:
-        if content.startswith(_PNG):
+        if content.startswith(PNG):
             width, height = struct.unpack_from(">II", content, 16)
             return width, height
         if content.startswith(b"BM"):

@@ -8,6 +8,7 @@ written in a named encoding is a rule of `make lint` (PLW1514).
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
 import sys
@@ -55,6 +56,27 @@ def sources() -> Iterator[tuple[str, str]]:
 def test_what_posix_alone_has_is_used_only_behind_a_guard() -> None:
     used = {(name, hit.strip()) for name, text in sources() for hit in OF_POSIX.findall(text)}
     assert used == GUARDED
+
+
+def test_lines_of_files_end_the_same_on_every_system() -> None:
+    def writes(call: ast.Call) -> bool:
+        if not isinstance(call.func, ast.Attribute):
+            return False
+        if call.func.attr == "write_text":
+            return not isinstance(call.func.value, ast.Call) and len(call.args) < 3
+        modes = [*call.args, *(word.value for word in call.keywords if word.arg == "mode")]
+        is_text = any(isinstance(m, ast.Constant) and m.value in ("w", "x", "a") for m in modes)
+        return call.func.attr == "open" and is_text and "encoding" in words(call)
+
+    def words(call: ast.Call) -> set[str | None]:
+        return {word.arg for word in call.keywords}
+
+    assert [
+        f"{name}:{node.lineno}"
+        for name, text in sources()
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.Call) and writes(node) and "newline" not in words(node)
+    ] == []
 
 
 def test_no_folder_of_posix_is_named() -> None:

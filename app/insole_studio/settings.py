@@ -129,7 +129,7 @@ def save_settings(settings: Settings, path: Path) -> None:
     if _holds(path, text):
         return
     with replacing_file(path.resolve()) as beside:  # whoever keeps them elsewhere has made a link
-        beside.write_text(text, encoding="utf-8")
+        beside.write_text(text, encoding="utf-8", newline="\n")
 
 
 def _holds(path: Path, text: str) -> bool:

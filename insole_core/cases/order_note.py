@@ -5,10 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from insole_core.export.shop_order import OrderTerms, Release, terms_from_json, terms_to_json
+from insole_core.export.shop_order import (
+    MOST_REVISIONS,
+    OrderTerms,
+    Release,
+    terms_from_json,
+    terms_to_json,
+)
 from insole_core.json_object import JsonObject
-
-_MOST_REVISIONS = 10**6
 
 
 @dataclass(frozen=True)
@@ -49,6 +53,6 @@ def note_from_json(of: JsonObject) -> OrderNote:
     """
     return OrderNote(
         of.text("number", empty=True),
-        of.integer("revision", 0, _MOST_REVISIONS),
+        of.integer("revision", 0, MOST_REVISIONS),
         terms_from_json(of),
     )

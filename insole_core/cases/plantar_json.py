@@ -11,6 +11,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.json_object import JsonObject
+from insole_core.picture_size import PNG, picture_size
 from insole_core.pressure.laid_map import (
     MOST_KEPT_PIXELS,
     FootprintPicture,
@@ -92,7 +93,7 @@ def _picture(picture: JsonObject) -> FootprintPicture:
         encoded = base64.b64decode(text, validate=True) if len(text) <= _MOST_ENCODED else b""
     except (binascii.Error, ValueError):
         encoded = b""
-    width, height = _size_of_png(encoded)
+    width, height = (encoded.startswith(PNG) and picture_size(encoded)) or (0, 0)
     colors = None
     if 0 < width * height <= 2 * MOST_KEPT_PIXELS:
         colors = cv2.imdecode(np.frombuffer(encoded, np.uint8), cv2.IMREAD_COLOR)
@@ -103,13 +104,6 @@ def _picture(picture: JsonObject) -> FootprintPicture:
         picture.number("pixel_mm", *_PIXEL_MM),
         _placement(picture.object("placement")),
     )
-
-
-def _size_of_png(encoded: bytes) -> tuple[int, int]:
-    """Return width and height as the header states them; 0 where it is none."""
-    if not encoded.startswith(b"\x89PNG\r\n\x1a\n") or len(encoded) < 24:
-        return 0, 0
-    return int.from_bytes(encoded[16:20], "big"), int.from_bytes(encoded[20:24], "big")
 
 
 def _placement(placement: JsonObject) -> Placement:

@@ -104,6 +104,10 @@ class OrderTerms:
         )
 
 
+MOST_REVISIONS: Final = 10**6
+"""Of the papers of one order."""
+
+
 @dataclass(frozen=True)
 class Release:
     """Which state of which order is released to the shop.
@@ -331,7 +335,7 @@ def parse_shop_order(name: str, text: bytes) -> ShopOrder:
     order = ShopOrder(
         Release(
             root.text("number"),
-            root.integer("revision", 1, 10**6) if root.has("revision") else 1,
+            root.integer("revision", 1, MOST_REVISIONS) if root.has("revision") else 1,
             root.text("released_by", empty=True) if root.has("released_by") else "",
         ),
         root.date("created_at"),

@@ -112,7 +112,7 @@ def scratch_folder(path: Path) -> Iterator[Path]:
 
 
 def write_text(text: str, path: Path) -> None:
-    """Write a text as UTF-8, atomically.
+    """Write a text as UTF-8, atomically, its lines ended as they are on every system.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def write_text(text: str, path: Path) -> None:
         When the place cannot be written; a file that was there before is untouched.
     """
     with replacing_file(path) as beside:
-        beside.write_text(text, encoding="utf-8")
+        beside.write_text(text, encoding="utf-8", newline="\n")
 
 
 def make_private_folder(path: Path) -> None:

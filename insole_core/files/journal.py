@@ -196,7 +196,7 @@ class Journal:
             folder.mkdir(mode=PRIVATE_FOLDER, parents=True, exist_ok=True)
             unfinished = make_file(folder, folder)
             try:
-                unfinished.write_text(text, encoding="utf-8")
+                unfinished.write_text(text, encoding="utf-8", newline="\n")
                 sync(unfinished)
                 self._path = folder / temporary_name(folder, SUFFIX)
                 unfinished.replace(self._path)

@@ -67,7 +67,7 @@ def write_dxf(outlines: Sequence[DxfOutline], texts: Sequence[DxfText], path: Pa
         space.add_text(text.text, height=text.height_mm, dxfattribs=attributes).set_placement(
             text.place_mm, align=TextEntityAlignment.MIDDLE_CENTER
         )
-    with replacing_file(path) as beside, beside.open("w", encoding="utf-8") as file:
+    with replacing_file(path) as beside, beside.open("w", encoding="utf-8", newline="\n") as file:
         drawing.write(file)
 
 

@@ -380,7 +380,7 @@ class ContentStore:
             make_private_folder(self.folder)
             sync(self.folder.parent)
         with replacing_file(self.folder / IDENTITY_FILE) as beside:
-            beside.write_text(identity, "ascii")
+            beside.write_text(identity, "ascii", newline="\n")
         return identity
 
     def _make_folder(self, folder: Path) -> None:

@@ -54,7 +54,7 @@ class ClinicBlocks:
         listed = [{"name": block.name, "size_mm": list(block.size_mm)} for block in blocks]
         content = {"format": FORMAT, "version": VERSION, "blocks": listed}
         with replacing_file(self._path) as beside:
-            beside.write_text(json.dumps(content, indent=1), encoding="utf-8")
+            beside.write_text(json.dumps(content, indent=1), encoding="utf-8", newline="\n")
 
 
 def require_names(own: Sequence[Block], stock: Sequence[Block]) -> None:

@@ -196,4 +196,4 @@ def write_comparison(
             draw_picture(compared.difference, beside, names, translate)
         else:
             text = json.dumps(report_json(compared.difference), indent=1, allow_nan=False)
-            beside.write_text(text + "\n", encoding="utf-8")
+            beside.write_text(text + "\n", encoding="utf-8", newline="\n")

@@ -36,4 +36,4 @@ class DefaultDevice:
         """
         make_output_folder(self._path.parent)
         with replacing_file(self._path) as beside:
-            beside.write_text(json.dumps({"device": name}), encoding="utf-8")
+            beside.write_text(json.dumps({"device": name}), encoding="utf-8", newline="\n")

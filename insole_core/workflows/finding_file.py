@@ -46,7 +46,9 @@ def write_findings(findings: Sequence[Finding], path: Path) -> None:
     """Write findings in the format of `read_findings`, as a rule to `replacing_file`'s path."""
     listed = [_to_json(finding) for finding in findings]
     content = {"format": FORMAT, "version": VERSION, "findings": listed}
-    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    path.write_text(
+        json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8", newline="\n"
+    )
 
 
 def _to_json(finding: Finding) -> dict[str, Any]:

@@ -104,7 +104,7 @@ class LastOrder:
             values["machine"] = choice.milling.machine.name
             values["both_sides"] = choice.milling.both_sides
         with replacing_file(self._path) as beside:
-            beside.write_text(json.dumps(values, indent=1), encoding="utf-8")
+            beside.write_text(json.dumps(values, indent=1), encoding="utf-8", newline="\n")
 
 
 def _print_kinds() -> dict[str, Any]:

@@ -59,7 +59,9 @@ class CrashReports:
             return
         try:
             make_output_folder(self._folder)
-            self._fault = (self._folder / f"fault-{os.getpid()}.log").open("w", encoding="utf-8")
+            self._fault = (self._folder / f"fault-{os.getpid()}.log").open(
+                "w", encoding="utf-8", newline="\n"
+            )
         except (OSError, InsoleError) as error:
             log.warning("a crash will leave no report: %s", error)
             return

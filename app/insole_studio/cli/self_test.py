@@ -53,7 +53,7 @@ def run(arguments: argparse.Namespace, _progress: Progress) -> None:
             with output_errors(arguments.report):
                 check_file(arguments.report)
                 arguments.report.unlink(missing_ok=True)  # another name of the file keeps it
-                report = arguments.report.open("x", encoding="utf-8")
+                report = arguments.report.open("x", encoding="utf-8", newline="\n")
             files.append(held.enter_context(report))
         folder = arguments.out
         if folder is None:

@@ -87,7 +87,7 @@ class ErasedLeftovers:
             make_output_folder(folder)
             with replacing_file(folder / f"{uuid.uuid4().hex}.json") as beside:
                 content = {"person": person_id, **traces.to_json()}
-                beside.write_text(json.dumps(content), encoding="utf-8")
+                beside.write_text(json.dumps(content), encoding="utf-8", newline="\n")
 
         return erase_person(records.context, person_id, reason, today, note=note)
 
@@ -177,7 +177,7 @@ def _forget_in(path: Path, traces: Traces) -> None:
         written = json.dumps({**values, **nameless}, indent=1) if nameless else text
     if written != text:
         with replacing_file(path.resolve()) as beside:
-            beside.write_text(written, "utf-8", "surrogateescape")
+            beside.write_text(written, "utf-8", "surrogateescape", newline="\n")
 
 
 def _nameless(settings: Mapping[str, Any], traces: Traces) -> dict[str, Any]:

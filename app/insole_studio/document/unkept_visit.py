@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from insole_core.workflows.records.keep_case import CaseChange
 
 _FIELDS = tuple(part.name for part in fields(Patient))
-_MOST_REVISIONS = 2**53
+MOST_REVISIONS = 2**53
+"""Of a row of the record."""
 
 
 @dataclass(frozen=True)
@@ -111,5 +112,5 @@ def _base(bases: JsonObject, side: Side) -> Base | None:
     if bases.value(str(side)) is None:
         return None
     base = bases.object(str(side))
-    revision = base.integer("revision", 0, _MOST_REVISIONS)
+    revision = base.integer("revision", 0, MOST_REVISIONS)
     return Base(base.text("version"), revision, base.flag("mine"))

@@ -64,7 +64,7 @@ class WaitingWork:
             self._take_own()
             with replacing_file(self._own / f"{key}.json") as beside:
                 text = json.dumps({**work, _VISIT: visit_id}, ensure_ascii=False)
-                beside.write_text(text, encoding="utf-8")
+                beside.write_text(text, encoding="utf-8", newline="\n")
         except OutputError as error:
             log.warning("waiting work cannot be kept: %s", error)
 

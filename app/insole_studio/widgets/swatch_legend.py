@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
 
+from insole_studio.widgets.emptied import remove_widgets
 from insole_studio.widgets.flow import FlowLayout
 
 _SWATCH_PX = 14
@@ -29,10 +30,7 @@ class SwatchLegend(QWidget):
         """Show colours (as "#rrggbb") with their names; none hides the legend."""
         if tuple(swatches) != self._shown:
             self._shown = tuple(swatches)
-            while (item := self._layout.takeAt(0)) is not None:
-                swatch = item.widget()
-                assert swatch is not None  # all items are widgets
-                swatch.deleteLater()
+            remove_widgets(self._layout)
             for color, text in self._shown:
                 self._layout.addWidget(_swatch(color, text))
         self.setVisible(bool(self._shown))

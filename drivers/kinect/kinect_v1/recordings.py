@@ -120,9 +120,11 @@ class RecordingWriter:
         model
             As in `Recording`.
         """
-        (self._folder / INDEX).write_text("".join(f"{line}\n" for line in self._lines), "ascii")
+        (self._folder / INDEX).write_text(
+            "".join(f"{line}\n" for line in self._lines), "ascii", newline="\n"
+        )
         device = {"serial": serial, "model": model, **_encode_calibration(calibration)}
-        (self._folder / _DEVICE).write_text(json.dumps(device, indent=1), "utf-8")
+        (self._folder / _DEVICE).write_text(json.dumps(device, indent=1), "utf-8", newline="\n")
 
     def _store(self, name: str, data: bytes) -> None:
         (self._folder / name).write_bytes(data)

@@ -36,4 +36,4 @@ def write_form(form: Form, path: Path) -> None:
     """Write a form to a path, as a rule the temporary one of `replacing_file`."""
     content = {"format": FORMAT, "version": VERSION, **form_to_json(form)}
     text = json.dumps(content, ensure_ascii=False)
-    path.write_text(text + "\n", encoding="utf-8")
+    path.write_text(text + "\n", encoding="utf-8", newline="\n")

@@ -151,7 +151,7 @@ def read_device(path: Path) -> Device:
 def write_device(device: Device, path: Path) -> None:
     """Write a device to a path, as a rule the temporary one of `replacing_file`."""
     text = json.dumps(device_to_json(device), indent=1, ensure_ascii=False)
-    path.write_text(text + "\n", encoding="utf-8")
+    path.write_text(text + "\n", encoding="utf-8", newline="\n")
 
 
 def _with_own_values(shell: Shell | None, worn: Shell | None) -> Shell | None:

@@ -105,7 +105,9 @@ def write_materials(materials: Sequence[Material], path: Path) -> None:
     """Write a table in the format of `read_materials`, as a rule to `replacing_file`'s path."""
     listed = [_to_json(material) for material in materials]
     content = {"format": FORMAT, "version": VERSION, "materials": listed}
-    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    path.write_text(
+        json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8", newline="\n"
+    )
 
 
 def check_materials(materials: Sequence[Material]) -> None:

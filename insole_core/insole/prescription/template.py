@@ -133,7 +133,9 @@ def template_from_json(content: JsonObject) -> Template:
 
 def write_template(template: Template, path: Path) -> None:
     """Write a template to a path, as a rule the temporary one of `replacing_file`."""
-    path.write_text(json.dumps(template_to_json(template), indent=1) + "\n", encoding="utf-8")
+    path.write_text(
+        json.dumps(template_to_json(template), indent=1) + "\n", encoding="utf-8", newline="\n"
+    )
 
 
 def check_anchors(side: Side, places: Mapping[str, Place]) -> None:

@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject
 from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import Conflict, InputError, PersonErased, Unreachable
-from insole_core.export.shop_order import OrderTerms, terms_from_json, terms_to_json
+from insole_core.export.shop_order import MOST_REVISIONS, OrderTerms, terms_from_json, terms_to_json
 from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
 from insole_core.records.order import Order, OrderState, OrderSummary
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 NOTICE = "record-order"
-_MOST_RELEASES = 10**6
 
 
 @dataclass(frozen=True)
@@ -87,7 +86,7 @@ class _Export:
             tuple(map(Path, of.texts("paths"))),
             terms_from_json(of.object("terms")),
             of.text("number"),
-            of.integer("release", 1, _MOST_RELEASES),
+            of.integer("release", 1, MOST_REVISIONS),
             tuple(map(Path, of.texts("papers"))),
         )
         sides = tuple(side for side in Side if side in of.texts("sides"))

@@ -12,21 +12,20 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QLineEdit,
     QVBoxLayout,
     QWidget,
 )
 
 from insole_core.errors import InputError
-from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.follow_up import FollowUp
 from insole_core.records.order import Order
-from insole_core.records.record_field import typed_fields
+from insole_core.records.record_field import check_fields, typed_fields
 from insole_core.records.visit import CaptureState, Visit
 from insole_studio.features.records.order_rows import event_text
 from insole_studio.features.records.record_form import (
     label_of,
     new_editor,
+    new_line,
     show_text,
     shown_texts,
     text_in,
@@ -152,12 +151,12 @@ class FollowUpDialog(QDialog):
         self.setWindowTitle(tr("Follow-up"))
         self.resize(*_FOLLOW_UPS_SIZE)
         self._person_id = person_id
-        day, outcome, notes = (label_of(FollowUp, name) for name in typed_fields(FollowUp))
+        fields = typed_fields(FollowUp)
+        day, outcome, notes = (label_of(FollowUp, name) for name in fields)
         self.table = RowTable((day, outcome, notes, tr("By")), stretched=2)
         self.table.setAccessibleName(tr("Follow-ups so far"))
         self.table.show_rows([_row(follow_up) for follow_up in before])
-        self.outcome = QLineEdit()
-        self.outcome.setMaxLength(MOST_NAME)
+        self.outcome = new_line(fields["outcome"])
         self.outcome.setPlaceholderText(tr("Better, the same, worse; in a word or two"))
         self.notes = NotesField()
         buttons = QDialogButtonBox()
@@ -165,8 +164,9 @@ class FollowUpDialog(QDialog):
         self.add = buttons.addButton(tr("Add follow-up"), role.AcceptRole)
         self.add.setEnabled(False)
         buttons.addButton(tr("Close"), role.RejectRole)
-        buttons.accepted.connect(self.accept)
+        buttons.accepted.connect(self._try)
         buttons.rejected.connect(self.reject)
+        self.refusal = MessageLabel("warning")
         self.outcome.textChanged.connect(self._allow)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -177,6 +177,7 @@ class FollowUpDialog(QDialog):
         layout.setSpacing(12)
         layout.addWidget(self.table, 1)
         layout.addLayout(form)
+        layout.addWidget(self.refusal)
         layout.addWidget(buttons)
         self.outcome.setFocus()
 
@@ -188,6 +189,14 @@ class FollowUpDialog(QDialog):
 
     def _allow(self) -> None:
         self.add.setEnabled(bool(self.outcome.text().strip()))
+
+    def _try(self) -> None:
+        try:
+            check_fields(self.follow_up(), date.today())
+        except InputError as error:
+            self.refusal.say(error.message)
+        else:
+            self.accept()
 
 
 def _row(follow_up: FollowUp) -> TableRow:

@@ -26,6 +26,11 @@ def new_editor(field: Typed) -> Editor:
         return DateField()
     if isinstance(field, Lines) and not field.is_low:
         return NotesField()
+    return new_line(field)
+
+
+def new_line(field: Typed) -> QLineEdit:
+    """Return what a field of one line is filled in with."""
     line = QLineEdit()
     if isinstance(field, Line | Lines):
         line.setMaxLength(field.most + 1)  # one more, so that too long a text is told

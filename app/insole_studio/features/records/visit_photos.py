@@ -16,6 +16,7 @@ from insole_core.errors import Conflict, InputError, InsoleError
 from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.photo import Photo, marks_of, marks_to_json
 from insole_studio.document.clinic_record import RecordState
+from insole_studio.document.unkept_visit import MOST_REVISIONS
 from insole_studio.document.waiting_work import LeftWork, WaitingWork
 from insole_studio.features.records.photos_dialog import PhotosDialog
 from insole_studio.services.app_services import AppServices
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-MOST_REVISIONS = 10**6
 _READ, _PICTURE = "records-photos", "records-photo"
 
 

@@ -43,5 +43,7 @@ class MeasureActions:
         )
         if path is not None:
             with replacing_file(path) as beside:
-                beside.write_text(table_csv(table_of(self._case.record)), encoding="utf-8")
+                beside.write_text(
+                    table_csv(table_of(self._case.record)), encoding="utf-8", newline="\n"
+                )
             self._messages.say(tr("Written: {name}").format(name=path.name))

@@ -57,11 +57,12 @@ class PlantarActions:
 
     def ask(self) -> None:
         """Let the user choose a file, and open it."""
+        from insole_core.formats.file_formats import patterns
         from insole_core.pressure.picture import SUFFIXES as PICTURE_SUFFIXES
         from insole_core.pressure.read_pressure import SUFFIXES
 
-        patterns = " ".join(f"*{suffix}" for suffix in (*SUFFIXES, *PICTURE_SUFFIXES))
-        kinds = tr("Pressure map or footprint") + f" ({patterns})"
+        endings = patterns((*SUFFIXES, *PICTURE_SUFFIXES))
+        kinds = tr("Pressure map or footprint") + f" ({endings})"
         path = self._services.messages.questions.file_to_open(kinds, Kept.SCANS)
         if path is not None:
             self.open(path)
