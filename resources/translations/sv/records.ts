@@ -84,6 +84,10 @@
             <translation>En annan skanning</translation>
         </message>
         <message>
+            <source>Another size</source>
+            <translation>Annan storlek</translation>
+        </message>
+        <message>
             <source>Arch height (mm)</source>
             <translation>Valvhöjd (mm)</translation>
         </message>
@@ -98,6 +102,10 @@
         <message>
             <source>Better, the same, worse; in a word or two</source>
             <translation>Bättre, oförändrat, sämre; med ett par ord</translation>
+        </message>
+        <message>
+            <source>Between two pieces: for a router more than its cutter</source>
+            <translation>Mellan två stycken: för en fräsmaskin mer än dess fräs</translation>
         </message>
         <message>
             <source>Both, one below the other</source>
@@ -216,6 +224,10 @@
             <translation>Redigera…</translation>
         </message>
         <message>
+            <source>Engrave order and side into the undersides</source>
+            <translation>Gravera beställning och sida i undersidorna</translation>
+        </message>
+        <message>
             <source>Follow-ups so far</source>
             <translation>Uppföljningar hittills</translation>
         </message>
@@ -236,8 +248,16 @@
             <translation>Funna patienter</translation>
         </message>
         <message>
+            <source>From the pieces to the sides of the block</source>
+            <translation>Från styckena till blockets sidor</translation>
+        </message>
+        <message>
             <source>From theirs to mine</source>
             <translation>Från deras till min</translation>
+        </message>
+        <message>
+            <source>Gap</source>
+            <translation>Avstånd</translation>
         </message>
         <message>
             <source>Go on with mine</source>
@@ -262,6 +282,10 @@
         <message>
             <source>Invented, to try the program with: nothing here concerns a real person.</source>
             <translation>Påhittad, för att prova programmet: inget här gäller en verklig person.</translation>
+        </message>
+        <message>
+            <source>Its program is written beside the solids</source>
+            <translation>Dess program skrivs bredvid styckena</translation>
         </message>
         <message>
             <source>Keep</source>
@@ -332,6 +356,18 @@
             <translation>Naviculares höjd (mm)</translation>
         </message>
         <message>
+            <source>Nest the orders</source>
+            <translation>Lägg ut beställningarna</translation>
+        </message>
+        <message>
+            <source>Nest the orders…</source>
+            <translation>Lägg ut beställningarna…</translation>
+        </message>
+        <message>
+            <source>Nest…</source>
+            <translation>Lägg ut…</translation>
+        </message>
+        <message>
             <source>New patient</source>
             <translation>Ny patient</translation>
         </message>
@@ -362,6 +398,10 @@
         <message>
             <source>No photo yet. Add a JPEG or PNG of camera or phone.</source>
             <translation>Inget foto än. Lägg till en JPEG eller PNG från kamera eller telefon.</translation>
+        </message>
+        <message>
+            <source>No router</source>
+            <translation>Ingen fräsmaskin</translation>
         </message>
         <message>
             <source>No visit yet. Begin with “New visit”.</source>
@@ -540,6 +580,10 @@
             <translation>Höger fot inte skannad: speglad från vänster</translation>
         </message>
         <message>
+            <source>Router</source>
+            <translation>Fräsmaskin</translation>
+        </message>
+        <message>
             <source>Sample patient</source>
             <translation>Provpatient</translation>
         </message>
@@ -660,6 +704,10 @@
             <translation>Patienten samtycker till att uppgifterna sparas (i dag)</translation>
         </message>
         <message>
+            <source>The pieces of several orders on one block or sheet</source>
+            <translation>Stycken av flera beställningar på ett block eller en skiva</translation>
+        </message>
+        <message>
             <source>The sample patient and everything that was tried on it will be removed. Help ▸ Sample patient brings a new one back.</source>
             <translation>Provpatienten och allt som provats på den tas bort. Hjälp ▸ Provpatient hämtar tillbaka en ny.</translation>
         </message>
@@ -686,6 +734,14 @@
         <message>
             <source>This visit is open elsewhere too: {who}. Nothing gets lost.</source>
             <translation>Besöket är öppet även på annat håll: {who}. Inget går förlorat.</translation>
+        </message>
+        <message>
+            <source>Tick at least one order.</source>
+            <translation>Kryssa för minst en beställning.</translation>
+        </message>
+        <message>
+            <source>To the sides</source>
+            <translation>Till sidorna</translation>
         </message>
         <message>
             <source>Today's visits</source>
@@ -764,6 +820,10 @@
             <translation>vänster: {words}</translation>
         </message>
         <message>
+            <source>nest</source>
+            <translation>samläggning</translation>
+        </message>
+        <message>
             <source>no corrections</source>
             <translation>inga korrigeringar</translation>
         </message>
@@ -782,6 +842,10 @@
         <message>
             <source>{count} orders</source>
             <translation>{count} beställningar</translation>
+        </message>
+        <message>
+            <source>{count} pieces are nested in {name}.</source>
+            <translation>{count} stycken är utlagda i {name}.</translation>
         </message>
         <message>
             <source>{day}, overdue</source>

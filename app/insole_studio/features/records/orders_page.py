@@ -31,6 +31,8 @@ class OrdersPage(QWidget):
     papers_requested = Signal(str)
     folder_requested = Signal(str)
     patients_requested = Signal()
+    nest_requested = Signal()
+    """To nest those that are listed."""
     days_edited = Signal(int)
     """After how many days new orders are due; 0 for no due date."""
 
@@ -74,6 +76,9 @@ class OrdersPage(QWidget):
         self.edit_button = self._button(tr("Shop and due date…"), self.edit_requested)
         self.papers_button = self._button(tr("Print the papers…"), self.papers_requested)
         self.folder_button = self._button(tr("Open the folder"), self.folder_requested)
+        self.nest_button = QPushButton(tr("Nest the orders…"))
+        self.nest_button.setToolTip(tr("The pieces of several orders on one block or sheet"))
+        self.nest_button.clicked.connect(self.nest_requested)
         self._lay_out()
         self._show_chosen()
 
@@ -106,6 +111,7 @@ class OrdersPage(QWidget):
             else tr("The first {shown} of {count} orders").format(shown=len(rows), count=count)
         )
         self.table.show_rows(rows)
+        self.nest_button.setEnabled(bool(rows))
         self._show_chosen()
 
     def show_days(self, days: int) -> None:
@@ -132,6 +138,7 @@ class OrdersPage(QWidget):
         top.addWidget(self.days)
         bottom = QHBoxLayout()
         bottom.addWidget(FlowRow(*self._of_chosen), 1)
+        bottom.addWidget(self.nest_button, 0, Qt.AlignmentFlag.AlignTop)
         bottom.addWidget(self._count, 0, Qt.AlignmentFlag.AlignTop)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(24, 16, 24, 16)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from insole_core.records.order import OPEN_STATES, OrderSearch, OrderState, OrderSummary
 from insole_core.records.person import Person
 from insole_studio.document.clinic_record import ClinicRecord
+from insole_studio.features.records.nest_actions import NestActions
 from insole_studio.features.records.order_actions import OrderActions
 from insole_studio.features.records.order_rows import COLUMNS, order_rows, sorted_as
 from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
@@ -38,6 +39,8 @@ class OrdersPresenter:
     ----------
     actions
         On one order.
+    nest
+        On all that are listed.
     tell
         Shows an error.
     """
@@ -47,6 +50,7 @@ class OrdersPresenter:
         page: OrdersPage,
         clinic: ClinicRecord,
         actions: OrderActions,
+        nest: NestActions,
         tell: Callable[[Exception], None],
     ) -> None:
         self._page = page
@@ -64,6 +68,7 @@ class OrdersPresenter:
         page.table.end_reached.connect(self._show_more)
         page.move_requested.connect(self._move)
         page.days_edited.connect(self._set_days)
+        page.nest_requested.connect(lambda: nest.ask(tuple(self.orders.values())))
         clinic.changed.connect(self._refresh)
 
     def show(self, person: Person | None) -> None:

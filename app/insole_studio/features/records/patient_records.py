@@ -40,6 +40,7 @@ from insole_studio.features.records.field_conflict_dialog import (
     collided_fields,
 )
 from insole_studio.features.records.history_dialog import HistoryDialog
+from insole_studio.features.records.nest_actions import NestActions
 from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.features.records.order_actions import OrderActions
 from insole_studio.features.records.order_files import OrderFiles
@@ -108,6 +109,7 @@ class PatientRecords(QObject):
         self.captures = VisitCaptures(services)
         self._presence = VisitPresence(services)
         self.order_actions = OrderActions(services)
+        self.nest_actions = NestActions(services)
         self.order_files = OrderFiles(services)
         self.photos = VisitPhotos(services)
         self.sample = SamplePatient(services, leave_case, self.show_person, self.show_start)
@@ -290,7 +292,7 @@ class PatientRecords(QObject):
         if self.orders is None:
             self.orders = OrdersPage()
             self._orders_presenter = OrdersPresenter(
-                self.orders, self._clinic, self.order_actions, self._tell
+                self.orders, self._clinic, self.order_actions, self.nest_actions, self._tell
             )
             self.orders.patients_requested.connect(self.show_start)
             self.orders.order_chosen.connect(self._open_order)

@@ -9,6 +9,7 @@ from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
 
+import manifold3d
 import pytest
 from canned_questions import CannedQuestions
 from pointing import click_heading
@@ -20,12 +21,15 @@ from sqlalchemy import insert
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import Unreachable
 from insole_core.export.shop_order import OrderTerms
+from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.writing import write_solids
 from insole_core.geometry.side import Side
 from insole_core.records import schema
 from insole_core.records.order import Order, OrderState
 from insole_core.records.orders import Orders
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
+from insole_core.solids.simplification import from_manifold
 from insole_core.workflows.order_package import Ordered
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
@@ -369,3 +373,52 @@ def test_an_order_that_is_written_after_its_visit_was_left_is_in_the_record(
     assert {file.name for file in records.orders.get(order.id).files} == {
         "p-left.stl", "p-left-job-sheet.pdf",
     }  # fmt: skip
+
+
+def box_file(path: Path, length_mm: float) -> Path:
+    """Write a solid that is longer than wide."""
+    box = from_manifold(manifold3d.Manifold.cube([80.0, length_mm, 12.0]))
+    write_solids([SolidPart(box, "box")], path)
+    return path
+
+
+def test_orders_of_the_page_are_nested_on_a_sheet(
+    page: OrdersPage, clinic: Application, records: Records, visit: Visit, order: Order,
+    questions: CannedQuestions, tmp_path: Path, rest: Callable[[], None],
+) -> None:  # fmt: skip
+    """Those that are ticked, in the size that is typed; nobody is named in the files."""
+    version = records.prescriptions.versions(visit.id, Side.LEFT)[0]
+    written = [
+        records.orders.add(
+            visit.id, [version.id], number=number,
+            files=[box_file(tmp_path / f"{number}-{side}.stl", length) for side in Side],
+        )
+        for number, length in (("26-A", 240.0), ("26-B", 250.0))
+    ]  # fmt: skip
+    clinic.services.clinic.changed.emit()
+    rest()
+    QTest.mouseClick(page.nest_button, LEFT)
+    dialog = clinic.features.records.nest_actions.dialog
+    assert dialog is not None
+    texts = [dialog.orders.item(row).text() for row in range(dialog.orders.count())]
+    assert len(texts) == 3
+    assert all("Anna Berg" in text for text in texts)
+    for row in range(3):
+        item = dialog.orders.item(row)
+        if item.data(Qt.ItemDataRole.UserRole) == order.id:  # has no files
+            item.setCheckState(Qt.CheckState.Unchecked)
+    dialog.block.show_value("")
+    dialog.block.edited.emit("")
+    for field, side in zip(dialog.sides, (600, 300, 20), strict=True):
+        field.setValue(side)
+    questions.path = tmp_path / "day.3mf"
+    QTest.mouseClick(dialog.nest, LEFT)
+    rest()
+    assert {path.name for path in tmp_path.glob("day*")} == {
+        "day.3mf", "day.dxf", "day-pieces.pdf"
+    }  # fmt: skip
+    with zipfile.ZipFile(tmp_path / "day.3mf") as archive:
+        model = archive.read("3D/3dmodel.model").decode()
+    assert all(f"{number} {side}" in model for number in ("26-A", "26-B") for side in Side)
+    assert "Berg" not in model + (tmp_path / "day.dxf").read_text()
+    assert [records.orders.get(each.id).state for each in written] == 2 * [OrderState.DESIGNED]
