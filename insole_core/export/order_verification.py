@@ -263,7 +263,7 @@ def _problems_of_sheet(
     materials = {side: item.materials[side] for side in file.sides}
     ordered = sheet_terms(release, item.pseudonym, materials, item.terms)
     for name, value in ordered.items():
-        if stated is not None and stated.get(name) != value:
+        if stated is not None and stated.get(name, "") != value:
             yield Message(
                 "{file} says {stated} for {term}, and {order} says {value}; ask the clinic which "
                 "is right.",

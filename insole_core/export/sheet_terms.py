@@ -15,7 +15,9 @@ from insole_core.geometry.side import Side
 SheetTerms: TypeAlias = Mapping[str, str]
 """Terms by name, in no language; empty ones too."""
 
-_FACTS: Final = ("quantity", "colour", "cover", "remarks", "delivery date")
+_FACTS: Final = (
+    "quantity", "colour", "cover", "lot of the material", "remarks", "delivery date",
+)  # fmt: skip
 _MARK: Final = "insole-order:"
 _KEYWORD: Final = re.compile(rf"{_MARK}([A-Za-z0-9+/=]+)".encode("ascii"))
 

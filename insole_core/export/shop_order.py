@@ -6,7 +6,7 @@ import hashlib
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 from typing import Any, Final, get_args
@@ -46,6 +46,8 @@ class OrderTerms:
         Of the pair, or of the one foot that is ordered.
     colour, cover
         Of the material, and what is glued on top; empty for the shop's usual.
+    lot
+        Number of the lot of the material; empty where it is not known yet.
     deliver_on
         None where the clinic names no date.
     """
@@ -55,6 +57,7 @@ class OrderTerms:
     cover: str = ""
     remarks: str = ""
     deliver_on: date | None = None
+    lot: str = ""
 
     def check(self, today: date) -> None:
         """Check that a shop could do as the terms say.
@@ -100,6 +103,7 @@ class OrderTerms:
         return (
             ("colour", self.colour, _MOST_LETTERS),
             ("cover", self.cover, _MOST_LETTERS),
+            ("lot of the material", self.lot, _MOST_OF_NUMBER),
             ("remarks", self.remarks, _MOST_REMARKS),
         )
 
@@ -147,6 +151,12 @@ class Release:
                 )
 
 
+def serial_number(release: Release, pseudonym: str, side: Side) -> str:
+    """Return the number of a piece: of its order, of the patient, of the revision, and the side."""
+    known = dict.fromkeys(filter(None, (release.number, pseudonym)))
+    return "-".join((*known, str(release.revision), str(side)[0].upper()))
+
+
 def _check_delivery(day: date, today: date) -> None:
     if day < today:
         raise InputError(
@@ -192,6 +202,8 @@ class OrderItem:
         Of each side that is made.
     mirrored
         Sides whose foot was not scanned: they are the other one's mirror image.
+    serials
+        Number of the piece of each side; empty in orders of earlier versions.
     """
 
     pseudonym: str
@@ -200,6 +212,7 @@ class OrderItem:
     terms: OrderTerms
     files: tuple[OrderedFile, ...]
     mirrored: tuple[Side, ...] = ()
+    serials: Mapping[Side, str] = field(default_factory=dict)
 
     @property
     def sides(self) -> tuple[Side, ...]:
@@ -271,12 +284,14 @@ def digest_of_order(content: Mapping[str, Any]) -> str:
 
 def _item_json(item: OrderItem) -> dict[str, Any]:
     mirrored = {"mirrored": [str(side) for side in item.mirrored]} if item.mirrored else {}
+    serials = {str(side): number for side, number in item.serials.items()}
     return {
         "pseudonym": item.pseudonym,
         "kind": item.kind,
         "sides": [str(side) for side in item.sides],
         "materials": {str(side): item.materials[side] for side in item.sides},
         **mirrored,
+        **({"serials": serials} if serials else {}),
         **terms_to_json(item.terms),
         "files": [
             {
@@ -311,6 +326,7 @@ def terms_from_json(of: JsonObject) -> OrderTerms:
         of.text("cover", empty=True),
         of.text("remarks", empty=True),
         None if of.value("deliver_on") is None else _day(of, "deliver_on"),
+        of.text("lot", empty=True) if of.has("lot") else "",
     )
 
 
@@ -360,7 +376,15 @@ def _item(item: JsonObject) -> OrderItem:
         terms_from_json(item),
         tuple(_file(file, sides) for file in item.objects("files")),
         _mirrored(item, sides),
+        _serials(item, sides),
     )
+
+
+def _serials(item: JsonObject, ordered: tuple[Side, ...]) -> dict[Side, str]:
+    if not item.has("serials"):
+        return {}
+    serials = item.object("serials")
+    return {side: serials.text(str(side)) for side in ordered if serials.has(str(side))}
 
 
 def _mirrored(item: JsonObject, ordered: tuple[Side, ...]) -> tuple[Side, ...]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from insole_core.errors import DesignError, UsageError
 from insole_core.export.sheet_terms import as_keyword, sheet_terms
-from insole_core.export.shop_order import OrderTerms, Release
+from insole_core.export.shop_order import OrderTerms, Release, serial_number
 from insole_core.files.atomic import write_text
 from insole_core.files.transaction import Transaction
 from insole_core.formats.dxf import write_dxf
@@ -148,6 +148,15 @@ class ExportJob:
     def is_nested(self) -> bool:
         """Whether a left and a right part lie in one block."""
         return self.block is not None and len(self.parts) == 2
+
+    def serial_of(self, side: Side) -> str:
+        """Return the serial number of a side's piece."""
+        return serial_number(self.release, self.identification.get("pseudonym", ""), side)
+
+    def serials_of(self, side: Side) -> str:
+        """Return the serial numbers of all pieces of a side."""
+        count = self.terms.quantity
+        return self.serial_of(side) + (f"/1 – /{count}" if count > 1 else "")
 
     def placed(self) -> tuple[PlacedPart, ...]:
         """Return the parts where they lie in the file: the lowest place of each at z = 0.
@@ -314,13 +323,20 @@ def run_export_job(
             [part.insole.design for part in job.parts],
             beside.prescription,
             responsible=job.responsible,
-            identification={**job.patient, **job.identification},
+            identification={**job.patient, **job.identification, **_numbers(job)},
             material=joined(dict.fromkeys(filter(None, job.materials.values())), " / "),
             day=date.today(),
             landmarks={part.side: part.landmarks for part in job.parts},
             warnings={part.side: part.warnings for part in job.parts},
             translate=job.translate,
         )
+
+
+def _numbers(job: ExportJob) -> dict[str, str]:
+    """Return by which numbers the pieces and their material are known, for the prescription."""
+    serials = ", ".join(job.serials_of(part.side) for part in job.parts)
+    lot = {"lot of the material": job.terms.lot} if job.terms.lot else {}
+    return {"serial number": serials, **lot}
 
 
 def _write_solid(job: ExportJob, placed: tuple[PlacedPart, ...], path: Path) -> None:
@@ -402,6 +418,7 @@ def _job_sheet(
         identification={
             **job.identification,
             "side": str(part.side),
+            "serial number": job.serials_of(part.side),
             "kind": part.order.kind,
             "mark": ", ".join(part.order.mark) or "–",
             "date": date.today().isoformat(),
@@ -435,6 +452,8 @@ def _title(job: ExportJob, part: Part, drawn: Sequence[DrawnInsole]) -> dict[str
         "kind": part.order.kind,
         "quantity": str(terms.quantity),
         "material": job.translate(job.materials.get(part.side) or "–"),
+        "lot of the material": terms.lot or "–",
+        "serial number": job.serials_of(part.side),
         "colour": terms.colour or "–",
         "cover": terms.cover or "–",
         "delivery date": terms.facts.get("delivery date", "–"),

@@ -25,6 +25,7 @@ from insole_core.workflows.print_order import PrintChoice
 log = logging.getLogger(__name__)
 _FORGOTTEN = (
     "both", "pseudonym", "text", "block", "own_materials", "terms", "printing", "milling",
+    "release",
 )  # fmt: skip
 _OF_PRINT = ("printer", "preset", "zones", "file", "above_kpa", "pressed_percent")
 """Fields of a `PrintChoice` that are kept; the body weight is the patient's."""

@@ -13,7 +13,7 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
 from insole_core.errors import DesignError, InputError
-from insole_core.export.shop_order import OrderTerms, Release
+from insole_core.export.shop_order import OrderTerms, Release, serial_number
 from insole_core.files.transaction import Transaction
 from insole_core.formats.file_formats import (
     CHECKS,
@@ -84,6 +84,10 @@ class OrderChoice:
     pseudonym, text
         Or order number, in place of the patient's name; text on the solid, by default pseudonym,
         side and date.
+    numbered
+        Whether serial number and lot of the material stand below the text.
+    release
+        Number and revision that the serial number is of.
     material
         Of feet whose prescription names none.
     own_materials
@@ -114,6 +118,8 @@ class OrderChoice:
     relief: Relief | None = None
     pseudonym: str = ""
     text: str = ""
+    numbered: bool = False
+    release: Release = field(default_factory=Release)
     material: str = ""
     own_materials: Mapping[Side, str] = field(default_factory=dict)
     block: Block | None = None
@@ -138,11 +144,13 @@ class OrderChoice:
     @property
     def _of_the_solid(self) -> OrderChoice:
         relief = self.relief
+        is_numbered = relief is not None and self.numbered
         return replace(
             self, suffix="", ascii_stl=False, layered=False, material="", own_materials={},
             printing=None, milling=None,
             job_sheet=False, prescription=False, checks=False, outlines=False,
-            terms=OrderTerms(), package="",
+            terms=OrderTerms(lot=self.terms.lot) if is_numbered else OrderTerms(), package="",
+            numbered=is_numbered, release=self.release if is_numbered else Release(),
             pseudonym=self.pseudonym if relief else "", text=self.text if relief else "",
         )  # fmt: skip
 
@@ -169,10 +177,16 @@ def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:
     """Return the lines of text on the part of a side; empty without a relief."""
     if choice.relief is None:
         return ()
+    numbers = _numbers_on(choice, side) if choice.numbered else ()
     if choice.text.strip():
-        return tuple(choice.text.splitlines())
+        return (*choice.text.splitlines(), *numbers)
     day = date.today().isoformat()
-    return tuple(line for line in (choice.pseudonym.strip(), f"{side} {day}") if line)
+    return tuple(filter(None, (choice.pseudonym.strip(), f"{side} {day}", *numbers)))
+
+
+def _numbers_on(choice: OrderChoice, side: Side) -> tuple[str, ...]:
+    serial = serial_number(choice.release, choice.pseudonym.strip(), side)
+    return (f"SN {serial}", f"LOT {choice.terms.lot}" if choice.terms.lot else "")
 
 
 def make_parts(
@@ -396,6 +410,7 @@ def _order_facts(choice: OrderChoice, release: Release, materials: str) -> dict[
         "order number": release.number,
         "revision": str(release.revision) if release.number else "",
         "material": materials,
+        "lot of the material": choice.terms.lot,
         "date": date.today().isoformat(),
     }
     return {name: text for name, text in facts.items() if text or name == "pseudonym"}
@@ -474,6 +489,7 @@ def _require_nameless(
         "reason for the export": "" if override is None else override.reason,
         "colour": choice.terms.colour,
         "cover": choice.terms.cover,
+        "lot of the material": choice.terms.lot,
         "remarks": choice.terms.remarks,
     }
     require_nameless(patient, texts)

@@ -18,6 +18,7 @@ from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
     from insole_core.geometry.mesh import TriangleMesh
+    from insole_core.geometry.side import Side
     from insole_core.insole.build import Insole
     from insole_core.milling.machine import Machine
     from insole_core.milling.plan import MillingPlan
@@ -55,6 +56,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="",
         metavar="TEXT",
         help="for the papers (default: that of the prescription)",
+    )
+    shape.add_argument("--lot", default="", metavar="TEXT", help="of the material, for the papers")
+    shape.add_argument(
+        "--mark-numbers", action="store_true", help="serial number and lot below --mark"
     )
     shape.add_argument("--block", metavar="NAME", help="of the shop's list; checked, or nested in")
     shape.add_argument(
@@ -163,16 +168,18 @@ def deliver(
     beside
         Paths of the files that accompany the solid.
     """
+    from insole_core.export.shop_order import OrderTerms
     from insole_core.solids import export_job
     from insole_core.solids.order import checked_together
     from insole_core.solids.shop import read_shop
 
     shop = read_shop(arguments.shop)
+    known = pseudonym(arguments)
     block = None if arguments.block is None else find_block(shop, arguments.block)
     responsible = _responsible(arguments, insoles)
     rules = _rules(arguments, block)
     parts = tuple(
-        _part(insole, arguments, rules, step)
+        _part(insole, arguments, rules, known, step)
         for insole, step in zip(insoles, progress.part(0.0, 0.8).parts(len(insoles)), strict=True)
     )
     if block is not None and len(parts) == 2:
@@ -183,7 +190,8 @@ def deliver(
     job = export_job.ExportJob(
         parts,
         shop,
-        identification={"pseudonym": pseudonym(arguments)},
+        identification={"pseudonym": known},
+        terms=OrderTerms(lot=arguments.lot),
         responsible=responsible,
         materials={insole.design.side: _material(insole, arguments) for insole in insoles},
         block=block,
@@ -274,12 +282,18 @@ def _doubts(part: Part) -> tuple[str, ...]:
 
 
 def _part(
-    insole: Insole, arguments: argparse.Namespace, rules: ExportRules, progress: Progress
+    insole: Insole,
+    arguments: argparse.Namespace,
+    rules: ExportRules,
+    known: str,
+    progress: Progress,
 ) -> Part:
     from insole_core.solids.order import make_part
 
     table = devices.materials(arguments.materials)
-    part = make_part(insole, _order(arguments), rules, progress, materials=table)
+    part = make_part(
+        insole, _order(arguments, insole.design.side, known), rules, progress, materials=table
+    )
     if part.order.most_triangles is not None:
         print(
             f"{len(part.solid.triangles)} triangles; they deviate by"
@@ -289,19 +303,30 @@ def _part(
     return part
 
 
-def _order(arguments: argparse.Namespace) -> Order:
+def _order(arguments: argparse.Namespace, side: Side, known: str) -> Order:
     from insole_core.solids.order import Order
     from insole_core.solids.solid import SolidOptions
 
     return Order(
         kind=arguments.kind,
         options=SolidOptions(draft_deg=arguments.draft, chamfer_mm=arguments.chamfer),
-        mark=() if arguments.mark is None else tuple(arguments.mark.split("\\n")),
+        mark=_mark(arguments, side, known),
         relief=arguments.relief,
         most_triangles=arguments.triangles,
         most_deviation_mm=arguments.deviation,
         layered=arguments.layers,
     )
+
+
+def _mark(arguments: argparse.Namespace, side: Side, known: str) -> tuple[str, ...]:
+    """Return the lines on the bottom of a side."""
+    from insole_core.export.shop_order import Release, serial_number
+
+    lines = [] if arguments.mark is None else arguments.mark.split("\\n")
+    if arguments.mark_numbers:
+        lines.append(f"SN {serial_number(Release(), known, side)}")
+        lines += [f"LOT {arguments.lot}"] if arguments.lot else []
+    return tuple(lines)
 
 
 def pseudonym(arguments: argparse.Namespace) -> str:

@@ -56,6 +56,7 @@ def _add_create_arguments(parser: argparse.ArgumentParser) -> None:
     terms.add_argument("--material", default="", metavar="TEXT")
     terms.add_argument("--colour", default="", metavar="TEXT")
     terms.add_argument("--cover", default="", metavar="TEXT", help="what is glued on top")
+    terms.add_argument("--lot", default="", metavar="TEXT", help="of the material")
     terms.add_argument("--remarks", default="", metavar="TEXT")
     terms.add_argument("--deliver-on", type=day, metavar="2026-11-20")
     terms.add_argument("--number", metavar="TEXT", help="of the order (default: a new one)")
@@ -110,6 +111,7 @@ def _terms(arguments: argparse.Namespace) -> OrderTerms:
         arguments.cover.strip(),
         arguments.remarks.strip(),
         arguments.deliver_on,
+        arguments.lot.strip(),
     )
 
 

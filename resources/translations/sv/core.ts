@@ -1692,6 +1692,10 @@
             <translation>Söker brädet på {capture}</translation>
         </message>
         <message>
+            <source>Lot of the material</source>
+            <translation>Materialets parti</translation>
+        </message>
+        <message>
             <source>Machine</source>
             <translation>Maskin</translation>
         </message>
@@ -2530,6 +2534,10 @@
         <message>
             <source>Sensors</source>
             <translation>Sensorer</translation>
+        </message>
+        <message>
+            <source>Serial number of the piece</source>
+            <translation>Styckets serienummer</translation>
         </message>
         <message>
             <source>Sesamoiditis</source>
@@ -3470,6 +3478,10 @@
         <message>
             <source>The piece does not lie within the block; take a larger block.</source>
             <translation>Stycket ligger inte inom blocket; ta ett större block.</translation>
+        </message>
+        <message>
+            <source>The pieces carry the serial number of revision {made}, and the order becomes revision {revision}; write it to another place, or without serial numbers on the pieces.</source>
+            <translation>Styckena bär serienumret för revision {made}, och beställningen blir revision {revision}; skriv den på en annan plats, eller utan serienummer på styckena.</translation>
         </message>
         <message>
             <source>The place of the depth camera is known within {known_mm:.1f} mm only; for {good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).</source>
@@ -6318,6 +6330,10 @@
         <message>
             <source>locked</source>
             <translation>låst</translation>
+        </message>
+        <message>
+            <source>lot of the material</source>
+            <translation>materialets parti</translation>
         </message>
         <message>
             <source>low</source>

@@ -68,6 +68,10 @@
             <translation>Båda behöver {length:.0f} × {width:.0f} × {height:.1f} mm av blocket</translation>
         </message>
         <message>
+            <source>Both stand on the papers; here also on the piece itself</source>
+            <translation>Båda står på papperen; här även på själva stycket</translation>
+        </message>
+        <message>
             <source>By material and body weight</source>
             <translation>Efter material och kroppsvikt</translation>
         </message>
@@ -334,6 +338,10 @@
         <message>
             <source>Nothing</source>
             <translation>Ingenting</translation>
+        </message>
+        <message>
+            <source>Number of the lot that the material comes from</source>
+            <translation>Numret på partiet som materialet kommer ur</translation>
         </message>
         <message>
             <source>Of what the insole is made</source>
@@ -606,6 +614,10 @@
         <message>
             <source>Why it is made although a check has failed; the papers say it</source>
             <translation>Varför det görs fast en kontroll är underkänd; papperen säger det</translation>
+        </message>
+        <message>
+            <source>With serial number and lot</source>
+            <translation>Med serienummer och parti</translation>
         </message>
         <message>
             <source>Writing the order of the case before was stopped.</source>

@@ -19,6 +19,7 @@ from read_pdf import bytes_of_pdf, text_of_pdf
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
+from insole_core.export.shop_order import OrderTerms, Release
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -45,7 +46,13 @@ from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks, require_names
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_core.workflows.make_order import OrderChoice, files_of, make_parts, write_order
+from insole_core.workflows.make_order import (
+    OrderChoice,
+    files_of,
+    make_parts,
+    mark_of,
+    write_order,
+)
 from insole_core.workflows.nameless import require_nameless
 
 SHOP = read_shop()
@@ -93,6 +100,31 @@ def test_a_pair_is_checked_as_it_is_nested(record: CaseRecord) -> None:
         finding = found["block"]
         assert finding.blocks  # type: ignore[attr-defined]
         assert "The pair needs a block of" in finding.sentence  # type: ignore[attr-defined]
+
+
+def test_lot_and_serial_number_stand_on_paper_and_by_choice_on_the_piece(
+    record: CaseRecord, tmp_path: Path
+) -> None:
+    release = Release("26-7KQ4M", 2)
+    choice = OrderChoice(
+        pseudonym="P-17", relief="engraved", numbered=True, release=release, prescription=True,
+        terms=OrderTerms(quantity=3, lot="L-42/7"), most_triangles=None,
+    )  # fmt: skip
+    (part,) = make_parts(record, choice, ExportRules({}, {}))
+    assert part.order.mark[-2:] == ("SN 26-7KQ4M-P-17-2-L", "LOT L-42/7")
+    assert not choice.makes_alike(replace(choice, release=Release("26-7KQ4M", 3)))
+    assert not choice.makes_alike(replace(choice, terms=replace(choice.terms, lot="L-43")))
+    bare = replace(choice, numbered=False)
+    assert not [line for line in mark_of(bare, Side.LEFT) if "L-42" in line or "SN" in line]
+    assert bare.makes_alike(replace(bare, release=Release("26-7KQ4M", 3)))
+    write_order(
+        [part], choice, tmp_path / "o.stl",
+        shop=SHOP, patient=PATIENT, responsible=RESPONSIBLE, release=release,
+    )  # fmt: skip
+    for paper in ("job-sheet", "prescription"):
+        text = text_of_pdf(tmp_path / f"o-left-{paper}.pdf")
+        assert "L-42/7" in text
+        assert "26-7KQ4M-P-17-2-L/1" in text
 
 
 def inside_of_a_shoe() -> Shoe:

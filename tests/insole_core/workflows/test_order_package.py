@@ -22,7 +22,13 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError, OutputError
 from insole_core.export.order_verification import verify_order
-from insole_core.export.shop_order import MOST_PAIRS, OrderTerms, digest_of_order
+from insole_core.export.shop_order import (
+    MOST_PAIRS,
+    OrderTerms,
+    Release,
+    ShopOrder,
+    digest_of_order,
+)
 from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -359,6 +365,31 @@ def test_a_full_disk_leaves_nothing_behind(
     with pytest.raises(OutputError, match="the disk is full"):
         written_again(parts, tmp_path / "order.zip")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_serial_numbers_are_those_of_the_order(parts: tuple[Part, ...], tmp_path: Path) -> None:
+    choice = replace(
+        CHOICE, job_sheet=True, relief="engraved", numbered=True,
+        terms=replace(CHOICE.terms, lot="L-42"),
+    )  # fmt: skip
+
+    def written(revision: int) -> ShopOrder:
+        made = replace(choice, release=Release("A7", revision))
+        return write_package(
+            [PackedItem(parts, made, PATIENT, {})], tmp_path / "o",
+            number="A7", revision=revision, shop=read_shop(), now=NOW,
+        )  # fmt: skip
+
+    (item,) = written(1).items
+    assert item.serials == {part.side: f"A7-P-17-1-{str(part.side)[0].upper()}" for part in parts}
+    verified = verify_order(tmp_path / "o")
+    assert verified.problems == ()
+    assert verified.order.items[0].serials == item.serials
+    assert verified.order.items[0].terms.lot == "L-42"
+    with pytest.raises(InputError, match="carry the serial number of revision 1"):
+        written(1)
+    (item,) = written(2).items
+    assert all("-2-" in serial for serial in item.serials.values())
 
 
 def test_two_patients_of_one_name_are_refused(parts: tuple[Part, ...], tmp_path: Path) -> None:

@@ -134,6 +134,7 @@ class OrderForm(QWidget):
         self.text.setTabChangesFocus(True)
         self.text.setFixedHeight(_LINES_PX)
         self.text.setPlaceholderText(tr("Pseudonym, side and date"))
+        self.numbered = QCheckBox(tr("With serial number and lot"))
         self.job_sheet = QCheckBox(tr("Job sheet for the shop (PDF)"))
         self.prescription = QCheckBox(tr("Prescription for the record (PDF)"))
         self.responsible = QPushButton(tr("Prescriber and maker…"))
@@ -237,7 +238,8 @@ class OrderForm(QWidget):
             can_carry(choice.suffix, "bodies") and choice.kind == "insole" and not is_print
         )
         self.machine.fit_rows(self._form)
-        self._form.setRowVisible(self.text, choice.relief is not None)
+        for lettering in (self.text, self.numbered):
+            self._form.setRowVisible(lettering, choice.relief is not None)
         self._fit_more()
 
     def show_feet(self, feet: Sequence[OrderedFoot]) -> None:
@@ -295,6 +297,7 @@ class OrderForm(QWidget):
             relief=cast("Relief | None", self.relief.currentData() or None),
             pseudonym=self.pseudonym.text().strip(),
             text=self.text.toPlainText(),
+            numbered=self.numbered.isChecked(),
             material=self._choice.material,
             own_materials=self._choice.own_materials,
             block=self._blocks.get(self.block.currentData()),
@@ -318,6 +321,7 @@ class OrderForm(QWidget):
         return [
             (self.both, choice.both),
             (self.layered, choice.layered),
+            (self.numbered, choice.numbered),
             (self.limited, choice.most_triangles is not None),
             (self.job_sheet, choice.job_sheet),
             (self.prescription, choice.prescription and not choice.package),
@@ -349,7 +353,7 @@ class OrderForm(QWidget):
             (tr("Format"), self.format), ("", self.layered), ("", self.more), ("", self.limited),
             (tr("Triangles"), self.triangles), (tr("May differ by"), self.deviation),
             (tr("Pseudonym"), self.pseudonym), (tr("On the bottom"), self.relief),
-            (tr("Text"), self.text),
+            (tr("Text"), self.text), ("", self.numbered),
             *self.terms.rows,
         ]  # fmt: skip
         for name, field in rows:
@@ -399,6 +403,7 @@ class OrderForm(QWidget):
             (self.deviation, tr("How far the surface may move where triangles are left out")),
             (self.relief, tr("Whether a text is cut into the underside, or stands out of it")),
             (self.text, tr("The text on the underside")),
+            (self.numbered, tr("Both stand on the papers; here also on the piece itself")),
             (self.job_sheet, tr("A drawing with sections and all values, without the name")),
             (self.checks, tr("What was checked and with which outcome, for other programs")),
             (self.outlines, tr("Insole, cover, block and shoe from above, in millimetres")),

@@ -237,6 +237,12 @@ class ExportPresenter:
         """Choose between a revision of the order that was exported last, and a new order."""
         self._begins_order = is_new
         self._show_release()
+        self._number_again()
+
+    def _number_again(self) -> None:
+        """Make the pieces again where they carry the number of an order or a revision before."""
+        if self._choice.relief is not None and self._choice.numbered:
+            self.remake()
 
     def edit_material(self, side: Side, material: str) -> None:
         """Set what a foot's insole is made of; another foot without a material gets it too."""
@@ -479,6 +485,7 @@ class ExportPresenter:
             self._case.apply(patient, tr("Note the order number"))
             self._choice = replace(self._choice, pseudonym=pseudonym)
             self._show_order()
+        self._number_again()
         return self._case.record if is_current else record
 
     def _remember(self, choice: OrderChoice) -> None:
@@ -499,7 +506,9 @@ class ExportPresenter:
     @property
     def _order(self) -> OrderChoice:
         """The choice with the order number in place of a pseudonym that is missing."""
-        return replace(self._choice, pseudonym=self._choice.pseudonym or self._release.number)
+        release = self._release
+        known = self._choice.pseudonym or release.number
+        return replace(self._choice, pseudonym=known, release=release)
 
     @property
     def _release(self) -> Release:

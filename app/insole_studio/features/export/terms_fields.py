@@ -38,7 +38,7 @@ class TermsFields(QObject):
             tr("An order holds all files for the shop, and a list by which they can be verified")
         )
         self.quantity = NumberField("", least=1, greatest=MOST_PAIRS, step=1, decimals=0)
-        self.colour, self.cover = QLineEdit(), QLineEdit()
+        self.colour, self.cover, self.lot = QLineEdit(), QLineEdit(), QLineEdit()
         self.cover.setPlaceholderText(tr("What is glued on top"))
         self.deliver_on = DateField()
         self.remarks = NotesField()
@@ -46,6 +46,7 @@ class TermsFields(QObject):
             (self.quantity, tr("How many are ordered")),
             (self.colour, tr("Colour of the material")),
             (self.cover, tr("What is glued on top")),
+            (self.lot, tr("Number of the lot that the material comes from")),
             (self.deliver_on, tr("By which day the shop is to deliver")),
             (self.remarks, tr("What else the shop is to know, without the patient's name")),
         ):
@@ -53,7 +54,7 @@ class TermsFields(QObject):
         self._terms = OrderTerms()
         for field in (self.package, self.quantity):
             field.edited.connect(self.edited)
-        for line in (self.colour, self.cover):
+        for line in (self.colour, self.cover, self.lot):
             line.textEdited.connect(self._pass_on)
         self.remarks.textChanged.connect(self._pass_on)
         self.deliver_on.editingFinished.connect(self.pass_on_day)
@@ -65,6 +66,7 @@ class TermsFields(QObject):
             (tr("Quantity"), self.quantity),
             (tr("Colour"), self.colour),
             (tr("Cover"), self.cover),
+            (tr("Lot of the material"), self.lot),
             (tr("Delivery date"), self.deliver_on),
             (tr("Remarks"), self.remarks),
             (tr("Written as"), self.package),
@@ -75,7 +77,9 @@ class TermsFields(QObject):
         with QSignalBlocker(self):
             self.package.show_value(package)
             self.quantity.show_value(terms.quantity)
-            texts = ((self.colour, terms.colour), (self.cover, terms.cover))
+            texts = (
+                (self.colour, terms.colour), (self.cover, terms.cover), (self.lot, terms.lot)
+            )  # fmt: skip
             for line, text in texts:
                 if line.text().strip() != text:
                     line.setText(text)
@@ -104,6 +108,7 @@ class TermsFields(QObject):
             quantity=int(self.quantity.value()),
             colour=self.colour.text().strip(),
             cover=self.cover.text().strip(),
+            lot=self.lot.text().strip(),
             remarks=self.remarks.toPlainText().strip(),
         )
 

@@ -232,12 +232,17 @@ def test_a_visit_that_is_exported_again_is_one_order_with_two_revisions(
 
     settle()
     QTest.keyClicks(stage.view.form.terms.colour, "black")
+    stage.view.form.relief.show_value("engraved")
+    stage.view.form.numbered.click()
+    settle()
     for _ in range(2):
         stage.presenter.export_to(tmp_path / "p.stl")
         settle()
     (listed,) = records.orders.of_person(visit.person_id)
     order = records.orders.get(listed.id)
     assert (order.release, order.place) == (2, str(tmp_path))
+    (part,) = stage.presenter.parts
+    assert part.order.mark[-1].endswith("-3-L"), "made again for the revision that would be next"
     assert [(f.release, f.name) for f in order.files] == [
         (2, "p-left-job-sheet.pdf"), (2, "p-left.stl"),
         (1, "p-left-job-sheet.pdf"), (1, "p-left.stl"),
