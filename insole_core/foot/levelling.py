@@ -19,7 +19,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
+from insole_core.geometry.transforms import rigid, rotation_angle_deg
 
 _Toes = Literal["pulps", "backs"]
 
@@ -93,7 +93,7 @@ def level(
         if at_rest:
             break
     marks = _Marks(low, side, pose, covered, toes)
-    ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.points[:, 2].min()]))
+    ground = rigid(np.eye(3), np.array([0.0, -marks.back, -marks.lowest]))
     return LevelFoot(ground @ pose, marks.length, marks.second_toe[1])
 
 
@@ -138,26 +138,27 @@ class _Marks:
     ) -> None:
         self.side = side
         self.toes = toes if covered >= 1 else None
-        self.points = transform(pose, surface.points)
-        low = self.points[:, 2] < self.points[:, 2].min() + OUTLINE_HEIGHT_MM
-        self.outline = self.points[low]
-        facing_up = surface.normals @ pose[2, :3]
-        sole = low & (facing_up < -0.5)
-        self.sole = self.points[sole]
-        self.sole_areas = surface.area_mm2[sole]
-        self._low, self._areas, self._facing_up = low, surface.area_mm2, facing_up
-        if not sole.any():
+        # A row for each coordinate: all that follows looks at one of them at a time.
+        points = pose[:3, :3] @ surface.points.T + pose[:3, 3, None]
+        self.lowest = float(points[2].min())
+        low = np.flatnonzero(points[2] < self.lowest + OUTLINE_HEIGHT_MM)
+        self._low, self._areas = points[:, low], surface.area_mm2[low]
+        self._facing_up = surface.normals[low] @ pose[2, :3]
+        sole = np.flatnonzero(self._facing_up < -0.5)
+        if len(sole) == 0:
             raise _no_sole()
-        y, area_mm2 = self.outline[:, 1], surface.area_mm2[low]
-        self.back = -reach(-y, area_mm2)
-        self.length = (reach(y, area_mm2) - self.back) / covered
+        self.sole, self.sole_areas = self._low[:, sole], self._areas[sole]
+        y = self._low[1]
+        self.back = -reach(-y, self._areas)
+        self.length = (reach(y, self._areas) - self.back) / covered
+        self._shares = (y - self.back) / self.length
 
     def borders(self, share: float) -> tuple[float, float]:
         """Return medial and lateral x of the outline at a share of the length."""
-        y = (self.outline[:, 1] - self.back) / self.length
-        x = self.outline[np.abs(y - share) < _BAND, 0] * self.side.medial_sign
+        away = np.abs(self._shares - share)
+        x = self._low[0, away < _BAND] * self.side.medial_sign
         if len(x) == 0:
-            x = self.outline[[np.abs(y - share).argmin()], 0] * self.side.medial_sign
+            x = self._low[0, [away.argmin()]] * self.side.medial_sign
         return float(x.max()) * self.side.medial_sign, float(x.min()) * self.side.medial_sign
 
     @cached_property
@@ -185,25 +186,26 @@ class _Marks:
             return usual, False
         search = _SECOND_TOE_REACH * abs(lateral - medial)
         if self.toes == "pulps":
-            x = pulp_line(self.sole, self.sole_areas, self.length, usual, search)
+            x = pulp_line(self.sole.T, self.sole_areas, self.length, usual, search)
         else:
             x = pulp_line(*self._backs(), self.length, usual, search)
         return (usual, False) if x is None else (np.array([x, usual[1]]), True)
 
     def _backs(self) -> tuple[FloatArray, FloatArray]:
         """Return points (n, 3) of the back of the foot as if seen from below, and their areas."""
-        back = self._low & (self._facing_up > _BACK_FACING)
-        return self.points[back] * (1.0, 1.0, -1.0), self._areas[back]
+        back = self._facing_up > _BACK_FACING
+        return self._low[:, back].T * (1.0, 1.0, -1.0), self._areas[back]
 
     def height(self, xy: FloatArray) -> float:
         """Compute the mean height of the sole about a position (2,)."""
-        far2 = ((self.sole[:, :2] - xy) ** 2).sum(axis=1) / (_PATCH * self.length) ** 2
+        x, y, z = self.sole
+        far2 = ((x - xy[0]) ** 2 + (y - xy[1]) ** 2) / (_PATCH * self.length) ** 2
         far2 -= far2.min()
         near = np.flatnonzero(far2 < _PATCH_END**2)
         # Noise can turn a piece of the back of the foot upside down.
-        near = near[self.sole[near, 2] < self.sole[near, 2].min() + _PATCH_DEPTH_MM]
+        near = near[z[near] < z[near].min() + _PATCH_DEPTH_MM]
         weights = self.sole_areas[near] * np.exp(-0.5 * far2[near])
-        return float(weights @ self.sole[near, 2] / weights.sum())
+        return float(weights @ z[near] / weights.sum())
 
     def frame(self) -> FloatArray:
         """Return the transform (4, 4) from the current pose to the frame of the marks."""

@@ -150,10 +150,12 @@ class _Lattice:
         total = np.zeros_like(normals)
         for step in steps @ self._strides:
             other = place[occupied + step]
+            filled = np.flatnonzero(other >= 0)  # a surface runs through few of the neighbours
+            other = other[filled]
             theirs = normals[other]
-            like = np.einsum("nc,nc->n", theirs, normals)
-            weight = np.where(other < 0, 0.0, area_mm2[other] * np.maximum(like, 0.0))
-            total += weight[:, None] * theirs
+            like = np.einsum("nc,nc->n", theirs, normals[filled])
+            weight = area_mm2[other] * np.maximum(like, 0.0)
+            total[filled] += weight[:, None] * theirs
         return _unit(total)
 
 

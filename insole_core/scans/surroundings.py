@@ -162,6 +162,9 @@ def second_foot(mesh: TriangleMesh) -> BoolArray | None:
     between = np.linalg.norm(first.mean(axis=0) - second.mean(axis=0))
     if (np.abs(np.log(alike)) > np.log(1.35)).any() or between < 0.5 * _extents(first)[1]:
         return None
-    trees = [scipy.spatial.cKDTree(points) for points in (first, second)]
-    to_first, to_second = (np.asarray(tree.query(mesh.vertices)[0]) for tree in trees)
-    return np.asarray(to_second < to_first)
+    is_second = np.asarray(piece == order[1])
+    crumbs = np.flatnonzero(~np.isin(piece, order))
+    trees = (scipy.spatial.cKDTree(points) for points in (first, second))
+    to_first, to_second = (tree.query(mesh.vertices[crumbs])[0] for tree in trees)
+    is_second[crumbs] = to_second < to_first
+    return is_second
