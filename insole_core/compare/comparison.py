@@ -9,7 +9,7 @@ import numpy as np
 from insole_core.compare.best_fit import Fit, badness, best_fit
 from insole_core.compare.difference import Difference, measure_difference
 from insole_core.compare.picked_points import find_dots, fit_dots, fit_points
-from insole_core.compare.seen_surface import facing, seen_points
+from insole_core.compare.seen_surface import SeenMesh, facing
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -53,33 +53,34 @@ def compare_surfaces(
         If the two do not overlap or cannot be aligned.
     """
     progress.step(0.0, "Looking at both surfaces")
-    fit, looks_b = _aligned(a, b, alignment, progress.part(0.1, 0.8))
+    seen_a, seen_b = SeenMesh(a), SeenMesh(b)
+    fit, looks_b = _aligned(seen_a, seen_b, alignment, progress.part(0.1, 0.8))
     progress.step(0.8, "Measuring the difference")
-    return measure_difference(a, b, fit, looks_b, median_pixels=median_pixels)
+    return measure_difference(seen_a, seen_b, fit, looks_b, median_pixels=median_pixels)
 
 
 def _aligned(
-    a: TriangleMesh, b: TriangleMesh, alignment: Alignment, progress: Progress
+    a: SeenMesh, b: SeenMesh, alignment: Alignment, progress: Progress
 ) -> tuple[Fit, FloatArray]:
     """Return the fit of b to a, and the viewing direction of b's seen side, in b's frame."""
     if alignment == "best":
         return _best(a, b, progress)
     if alignment == "none":
-        return Fit(np.eye(4), float("nan"), 1.0), facing(b)
+        return Fit(np.eye(4), float("nan"), 1.0), facing(b.mesh)
     if alignment == "dots":
         return fit_dots(
-            find_dots(a, "the first surface"), find_dots(b, "the second surface")
-        ), facing(b)
-    return fit_points(*alignment), facing(b)
+            find_dots(a.mesh, "the first surface"), find_dots(b.mesh, "the second surface")
+        ), facing(b.mesh)
+    return fit_points(*alignment), facing(b.mesh)
 
 
-def _best(a: TriangleMesh, b: TriangleMesh, progress: Progress) -> tuple[Fit, FloatArray]:
+def _best(a: SeenMesh, b: SeenMesh, progress: Progress) -> tuple[Fit, FloatArray]:
     """Fit the seen sides; if they meet poorly, try b from all sides: its frame may be foreign."""
-    target = seen_points(a, facing(a), _FIXED_PITCH_MM)
+    target = a.points(facing(a.mesh), _FIXED_PITCH_MM)
     fits: list[tuple[Fit, FloatArray]] = []
-    for number, looks in enumerate([facing(b), *np.eye(3), *-np.eye(3)]):
+    for number, looks in enumerate([facing(b.mesh), *np.eye(3), *-np.eye(3)]):
         part = progress.part(number / 7, (number + 1) / 7)
-        fit = best_fit(target, seen_points(b, looks, _MOVED_PITCH_MM), part)
+        fit = best_fit(target, b.points(looks, _MOVED_PITCH_MM), part)
         if fit is not None:
             fits.append((fit, looks))
         if number == 0 and fit is not None and fit.share >= _GOOD_SHARE:

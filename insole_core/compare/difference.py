@@ -9,11 +9,10 @@ from functools import cached_property
 import numpy as np
 
 from insole_core.compare.best_fit import Fit
-from insole_core.compare.seen_surface import Grid, facing, grid_over, height_map
+from insole_core.compare.seen_surface import Grid, SeenMesh, facing, grid_over
 from insole_core.errors import InputError
 from insole_core.foot.measure_table import Measured
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.mesh import TriangleMesh
 
 PITCH_MM = 1.0
 _LEAST_AREA_MM2 = 100.0
@@ -72,8 +71,8 @@ class Difference:
 
 
 def measure_difference(
-    a: TriangleMesh,
-    b: TriangleMesh,
+    a: SeenMesh,
+    b: SeenMesh,
     fit: Fit,
     looks_b: FloatArray,
     *,
@@ -98,12 +97,11 @@ def measure_difference(
     InputError
         If they do not lie over each other.
     """
-    turned = b.transformed(fit.b2a)
-    grid = grid_over(a, pitch_mm)
-    sides = ((a, facing(a)), (turned, fit.b2a[:3, :3] @ looks_b))
+    grid = grid_over(a.mesh, pitch_mm)
+    sides = ((a, facing(a.mesh), np.eye(4)), (b, fit.b2a[:3, :3] @ looks_b, fit.b2a))
     heights = [
-        _median_filtered(height_map(mesh, grid, bool(looks[2] > 0)), median_pixels)
-        for mesh, looks in sides
+        _median_filtered(seen.heights(grid, bool(looks[2] > 0), to_a), median_pixels)
+        for seen, looks, to_a in sides
     ]
     difference = Difference(grid, heights[0], heights[1], fit)
     area = np.isfinite(difference.signed_mm).sum() * pitch_mm**2
@@ -201,7 +199,10 @@ def _median_filtered(heights: FloatArray, pixels: int) -> FloatArray:
     padded = np.pad(heights, (before, after), constant_values=np.nan)
     windows = np.lib.stride_tricks.sliding_window_view(padded, (pixels, pixels))
     flat = windows.reshape(*heights.shape, -1)
-    enough = np.isfinite(flat).sum(axis=-1) * 2 >= pixels**2
+    count = np.isfinite(flat).sum(axis=-1)
+    enough = (count * 2 >= pixels**2) & (count > 0)
+    ordered = np.sort(flat[enough], axis=-1)  # what was not seen comes last
+    middles = np.stack([(count[enough] - 1) // 2, count[enough] // 2], axis=-1)
     result = np.full(heights.shape, np.nan)
-    result[enough] = np.nanmedian(flat[enough], axis=-1)
+    result[enough] = np.take_along_axis(ordered, middles, axis=-1).mean(axis=-1)
     return np.where(np.isfinite(heights), result, np.nan)

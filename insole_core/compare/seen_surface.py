@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
+from insole_core.geometry.transforms import inverse, rigid, transform
 
 _BASE_MM = 0.05
 _BASE_SHARE = 0.6
@@ -69,6 +71,11 @@ class Grid:
 def grid_over(mesh: TriangleMesh, pitch_mm: float) -> Grid:
     """Return pixels of this pitch that cover a mesh."""
     low, high = mesh.bounds_mm[:, :2]
+    return _grid(low, high, pitch_mm)
+
+
+def _grid(low: FloatArray, high: FloatArray, pitch_mm: float) -> Grid:
+    """Return pixels of this pitch that cover what lies between two corners (2,)."""
     first = (np.floor(low / pitch_mm) - 1 + _OFF_LATTICE) * pitch_mm
     columns, rows = (int(n) for n in np.ceil((high - first) / pitch_mm) + 1)
     return Grid((float(first[0]), float(first[1])), pitch_mm, (rows, columns))
@@ -108,61 +115,91 @@ def _has_flat_base(mesh: TriangleMesh) -> bool:
 
 
 def height_map(mesh: TriangleMesh, grid: Grid, from_above: bool) -> FloatArray:
-    """Compute the heights of the surface seen along z.
+    """Compute the heights of a surface that is looked at once: see `SeenMesh.heights`."""
+    return SeenMesh(mesh).heights(grid, from_above)
+
+
+class SeenMesh:
+    """A mesh that is looked at along rays, from several directions.
 
     Parameters
     ----------
-    mesh : mm, frame of `grid`
-    from_above
-        Whether to look down; otherwise up from below.
-
-    Returns
-    -------
-    (rows, columns) float64, mm
-        NaN beside the mesh and on its walls.
+    mesh : mm
+        At least one triangle.
     """
-    points, normals, ray = _cast(mesh, grid, from_above)
-    heights = np.full(grid.shape[0] * grid.shape[1], np.nan)
-    flat = np.abs(normals[:, 2]) >= STEEPEST
-    heights[ray[flat]] = points[flat, 2]
-    return heights.reshape(grid.shape)
 
+    def __init__(self, mesh: TriangleMesh) -> None:
+        self.mesh = mesh
 
-def seen_points(mesh: TriangleMesh, direction: FloatArray, pitch_mm: float) -> SurfacePoints:
-    """Sample the side of a mesh that faces a direction, evenly as seen from there.
+    def heights(
+        self, grid: Grid, from_above: bool, mesh2grid: FloatArray | None = None
+    ) -> FloatArray:
+        """Compute the heights of the surface seen along z.
 
-    Parameters
-    ----------
-    direction : (3,)
-        In the frame of the mesh.
-    pitch_mm
-        Of the samples, across the direction.
+        Parameters
+        ----------
+        from_above
+            Whether to look down; otherwise up from below.
+        mesh2grid : (4, 4) float64, mm
+            To the frame of the grid; None where the mesh lies in it.
 
-    Returns
-    -------
-    SurfacePoints
-        In the frame of the mesh; walls are left out.
-    """
-    up = _frame_looking_up(direction)
-    turned = TriangleMesh(mesh.vertices @ up.T, mesh.triangles)
-    points, normals, _ = _cast(turned, grid_over(turned, pitch_mm), from_above=True)
-    normals = normals * np.where(normals[:, 2] < 0, -1, 1)[:, None]
-    flat = normals[:, 2] >= STEEPEST
-    return SurfacePoints(points[flat] @ up, normals[flat] @ up)
+        Returns
+        -------
+        (rows, columns) float64, mm
+            NaN beside the mesh and on its walls.
+        """
+        points, normals, ray = self._cast(
+            grid, from_above, np.eye(4) if mesh2grid is None else mesh2grid
+        )
+        heights = np.full(grid.shape[0] * grid.shape[1], np.nan)
+        flat = np.abs(normals[:, 2]) >= STEEPEST
+        heights[ray[flat]] = points[flat, 2]
+        return heights.reshape(grid.shape)
 
+    def points(self, direction: FloatArray, pitch_mm: float) -> SurfacePoints:
+        """Sample the side of the mesh that faces a direction, evenly as seen from there.
 
-def _cast(
-    mesh: TriangleMesh, grid: Grid, from_above: bool
-) -> tuple[FloatArray, FloatArray, IntArray]:
-    """Return points and normals (n, 3) where rays along z first hit, and the pixel of each."""
-    sign = 1.0 if from_above else -1.0
-    start = (mesh.vertices[:, 2] * sign).max() + 10.0
-    places = grid.places.reshape(-1, 2)
-    origins = np.column_stack([places, np.full(len(places), sign * start)])
-    hits = RayCaster(mesh).cast(origins, np.broadcast_to([0.0, 0.0, -sign], origins.shape))
-    corners = mesh.vertices[mesh.triangles[hits.triangle]]
-    points = np.einsum("nk,nkc->nc", hits.weights, corners)
-    return np.asarray(points), mesh.triangle_normals[hits.triangle], hits.ray
+        Parameters
+        ----------
+        direction : (3,)
+            In the frame of the mesh.
+        pitch_mm
+            Of the samples, across the direction.
+
+        Returns
+        -------
+        SurfacePoints
+            In the frame of the mesh; walls are left out.
+        """
+        up = _frame_looking_up(direction)
+        seen = self.mesh.vertices @ up[:2].T
+        grid = _grid(seen.min(axis=0), seen.max(axis=0), pitch_mm)
+        points, normals, _ = self._cast(grid, True, rigid(up, np.zeros(3)))
+        normals = normals * np.where(normals[:, 2] < 0, -1, 1)[:, None]
+        flat = normals[:, 2] >= STEEPEST
+        return SurfacePoints(points[flat] @ up, normals[flat] @ up)
+
+    @cached_property
+    def _caster(self) -> RayCaster:
+        return RayCaster(self.mesh)
+
+    def _cast(
+        self, grid: Grid, from_above: bool, mesh2grid: FloatArray
+    ) -> tuple[FloatArray, FloatArray, IntArray]:
+        """Return points and normals (n, 3), frame of the grid, where rays along z first hit.
+
+        The third array (n,) is the pixel of each.
+        """
+        sign, mesh = 1.0 if from_above else -1.0, self.mesh
+        height = mesh.vertices @ mesh2grid[2, :3] + mesh2grid[2, 3]
+        start = (height * sign).max() + 10.0
+        places = grid.places.reshape(-1, 2)
+        origins = np.column_stack([places, np.full(len(places), sign * start)])
+        origins = transform(inverse(mesh2grid), origins)
+        hits = self._caster.cast(origins, np.broadcast_to(-sign * mesh2grid[2, :3], origins.shape))
+        corners = mesh.vertices[mesh.triangles[hits.triangle]]
+        points = transform(mesh2grid, np.einsum("nk,nkc->nc", hits.weights, corners))
+        return points, mesh.triangle_normals[hits.triangle] @ mesh2grid[:3, :3].T, hits.ray
 
 
 def _frame_looking_up(direction: FloatArray) -> FloatArray:

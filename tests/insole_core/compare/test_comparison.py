@@ -33,12 +33,12 @@ FAR = rigid(rotation_about(np.array([1, 2.0, 0.5]), 130), np.array([300.0, -80, 
 
 @pytest.fixture(scope="module")
 def plain(left_foot: Foot) -> TriangleMesh:
-    return insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT)))
+    return insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, grid_mm=2.0)))
 
 
 @pytest.fixture(scope="module")
 def padded(left_foot: Foot) -> TriangleMesh:
-    return insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, (PAD,))))
+    return insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, (PAD,), grid_mm=2.0)))
 
 
 def misplaced_mm(found_b2a: np.ndarray, true_b2a: np.ndarray, b: TriangleMesh) -> float:
@@ -71,7 +71,7 @@ def test_tilt_as_they_lie(plain):
     signed = compare_surfaces(plain.transformed(shear), plain, "none")
     x = signed.grid.places[..., 0]
     known = np.isfinite(signed.signed_mm)
-    assert signed.signed_mm[known] == pytest.approx(slope * x[known], abs=0.05)
+    np.testing.assert_allclose(signed.signed_mm[known], slope * x[known], rtol=0, atol=0.05)
 
 
 @pytest.mark.parametrize("a2b", [np.eye(4), NEAR, FAR], ids=["there", "near", "far"])
@@ -90,7 +90,7 @@ HIGHER = replace(PAD, height_mm=PAD.height_mm + 2)
 
 @pytest.fixture(scope="module")
 def higher(left_foot: Foot) -> TriangleMesh:
-    return insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, (HIGHER,))))
+    return insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, (HIGHER,), grid_mm=2.0)))
 
 
 @pytest.mark.parametrize("alignment", ["best", "none"])
@@ -132,7 +132,7 @@ def test_foot_against_its_own_insole(left_foot, plain):
 
 
 def test_mould_against_insole(left_foot, padded):
-    mould = positive_solid(build_insole(left_foot, InsoleDesign(Side.LEFT)))
+    mould = positive_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, grid_mm=2.0)))
     result = compare_surfaces(padded, mould)
     assert result.statistics["max"] == pytest.approx(3.0, abs=0.05)
     assert result.statistics["median_abs"] < 0.01
@@ -142,7 +142,7 @@ def test_mould_against_insole(left_foot, padded):
 def test_thesis_case(left_foot):
     """N, F and O of chapter 8: O's pelott lies 5 mm further ahead, and its scan is coarse."""
     rng = np.random.default_rng(3)
-    design = InsoleDesign(Side.LEFT)
+    design = InsoleDesign(Side.LEFT, grid_mm=2.0)
     ahead = replace(PAD, centre_mm=(PAD.centre_mm[0], PAD.centre_mm[1] + 5))
     pads = {"N": replace(PAD, height_mm=3.4), "F": PAD, "O": ahead}
     models = {
@@ -168,7 +168,7 @@ def test_thesis_case(left_foot):
 
 
 def test_picked_points(plain, padded, tmp_path: Path):
-    on_a = plain.vertices[[10, 4000, 9000, 14000]]
+    on_a = plain.vertices[[10, 2000, 5000, 9000]]
     path = tmp_path / "points.json"
     path.write_text(json.dumps({"a": on_a.tolist(), "b": transform(FAR, on_a).tolist()}))
     points = read_picked_points(path)
@@ -280,10 +280,10 @@ def test_report_picture_and_surface(plain, padded, tmp_path: Path):
 
 
 @pytest.mark.slow
-def test_millions_of_triangles(plain):
-    """A scan of a million triangles against an insole: the same figures as of the coarse one."""
+def test_a_very_fine_scan(plain):
+    """A scan of many triangles against an insole: the same figures as of the coarse one."""
     fine = plain
-    while len(fine.triangles) < 1_000_000:
+    while len(fine.triangles) < 400_000:
         vertices, triangles = trimesh.remesh.subdivide(fine.vertices, fine.triangles)
         fine = TriangleMesh(np.asarray(vertices), np.asarray(triangles, np.int32))
     result = compare_surfaces(plain, fine.transformed(NEAR))

@@ -37,7 +37,7 @@ def with_dots(mesh: TriangleMesh, sign: float) -> TriangleMesh:
 @pytest.fixture(scope="module")
 def models(left_foot) -> dict[str, TriangleMesh]:
     """N as it was designed; F a plaster mould, O a finished insole whose pad lies ahead."""
-    design = InsoleDesign(Side.LEFT)
+    design = InsoleDesign(Side.LEFT, grid_mm=2.0)
     ahead = replace(PAD, centre_mm=(PAD.centre_mm[0], PAD.centre_mm[1] + 5))
     n, f, o = (
         build_insole(left_foot, design.with_added(pad))
@@ -60,7 +60,7 @@ def test_background_is_taken_away(models):
 
 
 def test_heights_are_those_over_the_table(models, left_foot):
-    insole = insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT)))
+    insole = insole_solid(build_insole(left_foot, InsoleDesign(Side.LEFT, grid_mm=2.0)))
     assert models["O"].bounds_mm[1, 2] == pytest.approx(insole.bounds_mm[1, 2], abs=3)
 
 
@@ -93,19 +93,22 @@ def test_dots_of_a_scan_are_found_where_they_are(models):
     assert np.sort(apart[apart > 0]) == pytest.approx(np.sort(true[true > 0]), abs=4)
 
 
-def test_empty_table():
-    speck = TriangleMesh(np.array([[0.0, 0, 5], [9, 0, 5], [0, 9, 5]]), np.array([[0, 1, 2]]))
+@pytest.fixture(scope="module")
+def speck() -> View:
+    """A table with hardly anything on it."""
+    corners = np.array([[0.0, 0, 5], [9, 0, 5], [0, 9, 5]])
+    return simulate_view(TriangleMesh(corners, np.array([[0, 1, 2]])), 1)
+
+
+def test_empty_table(speck):
     with pytest.raises(ReconstructionError, match="stands out from its background"):
-        one_view_surface(simulate_view(speck, 1))
+        one_view_surface(speck)
 
 
-def test_sensor_that_sees_nothing():
-    view = simulate_view(
-        TriangleMesh(np.array([[0.0, 0, 5], [9, 0, 5], [0, 9, 5]]), np.array([[0, 1, 2]])), 1
-    )
-    blind = View(
-        view.name, view.sensor, 1, 1, lambda _i: np.full((480, 640), 2047, np.uint16),
-        view.read_color,
-    )  # fmt: skip
+def test_sensor_that_sees_nothing(speck):
+    def read_nothing(_index: int) -> np.ndarray:
+        return np.full((480, 640), 2047, np.uint16)
+
+    blind = View(speck.name, speck.sensor, 1, 1, read_nothing, speck.read_color)
     with pytest.raises(ReconstructionError, match="record it again"):
         one_view_surface(blind)
