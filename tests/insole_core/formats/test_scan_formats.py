@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import io
 import json
 import zipfile
 from collections.abc import Callable
@@ -24,6 +25,14 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.scans.scan_folder import holds_scans, scan_parts, side_of_name
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
+
+
+@pytest.fixture(scope="module")
+def small_foot() -> TriangleMesh:
+    """A left foot in few triangles."""
+    return build_foot(FootShape(side=Side.LEFT), np.random.default_rng(1), cell_mm=5.0).mesh
 
 
 def as_trimesh(mesh: TriangleMesh) -> trimesh.Trimesh:
@@ -35,44 +44,44 @@ def largest_distance_mm(mesh: TriangleMesh, foot: TriangleMesh) -> float:
 
 
 @pytest.mark.parametrize("suffix", [".off", ".3mf", ".glb", ".dae"])
-def test_formats_of_other_programs_give_the_same_closed_surface(left_mesh, tmp_path, suffix):
+def test_formats_of_other_programs_give_the_same_closed_surface(small_foot, tmp_path, suffix):
     path = tmp_path / f"foot{suffix}"
-    as_trimesh(left_mesh).export(path)
+    as_trimesh(small_foot).export(path)
     read = read_mesh(path)
     assert read.unit == "mm"
     assert read.mesh.is_closed
-    assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=1e-5)
-    assert largest_distance_mm(read.mesh, left_mesh) < 1e-3
+    assert read.mesh.volume_mm3 == pytest.approx(small_foot.volume_mm3, rel=1e-5)
+    assert largest_distance_mm(read.mesh, small_foot) < 1e-3
 
 
-def test_a_gltf_with_its_buffer_beside_it_is_read_in_metres(left_mesh, tmp_path):
-    metres = replace(left_mesh, vertices=left_mesh.vertices / 1000)
+def test_a_gltf_with_its_buffer_beside_it_is_read_in_metres(small_foot, tmp_path):
+    metres = replace(small_foot, vertices=small_foot.vertices / 1000)
     files = as_trimesh(metres).scene().export(file_type="gltf")
     for name, content in files.items():
         (tmp_path / name).write_bytes(content)
     read = read_mesh(tmp_path / "model.gltf")
     assert read.unit == "m"
-    assert largest_distance_mm(read.mesh, left_mesh) < 1e-3
+    assert largest_distance_mm(read.mesh, small_foot) < 1e-3
     assert read.mesh.colors is not None
 
 
-def test_nodes_of_a_glb_move_turn_and_mirror_their_mesh(left_mesh, tmp_path):
+def test_nodes_of_a_glb_move_turn_and_mirror_their_mesh(small_foot, tmp_path):
     scene = trimesh.Scene()
     turned = trimesh.transformations.rotation_matrix(0.7, [1, 2, 3], [10, 20, 30])
     mirror = np.diag([-1.0, 1.0, 1.0, 1.0])
-    mirrored = replace(left_mesh, vertices=left_mesh.vertices * [-1, 1, 1]).flipped()
+    mirrored = replace(small_foot, vertices=small_foot.vertices * [-1, 1, 1]).flipped()
     scene.add_geometry(as_trimesh(mirrored), transform=turned @ mirror)
     scene.export(tmp_path / "foot.glb")
     read = read_mesh(tmp_path / "foot.glb")
-    foot = left_mesh.transformed(turned)
+    foot = small_foot.transformed(turned)
     assert largest_distance_mm(read.mesh, foot) < 1e-3
-    assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=1e-5)
+    assert read.mesh.volume_mm3 == pytest.approx(small_foot.volume_mm3, rel=1e-5)
     assert not any("inside out" in note for note in read.notes)
 
 
-def test_three_mf_keeps_its_unit(left_mesh, tmp_path):
+def test_three_mf_keeps_its_unit(small_foot, tmp_path):
     path = tmp_path / "foot.3mf"
-    write_3mf([SolidPart(replace(left_mesh, vertices=left_mesh.vertices / 25.4), "foot")], path)
+    write_3mf([SolidPart(replace(small_foot, vertices=small_foot.vertices / 25.4), "foot")], path)
     content = {}
     with zipfile.ZipFile(path) as archive:
         content = {name: archive.read(name) for name in archive.namelist()}
@@ -81,7 +90,7 @@ def test_three_mf_keeps_its_unit(left_mesh, tmp_path):
             archive.writestr(name, text.replace(b'unit="millimeter"', b'unit="inch"'))
     read = read_mesh(path)
     assert read.unit == "inch"
-    assert largest_distance_mm(read.mesh, left_mesh) < 1e-2
+    assert largest_distance_mm(read.mesh, small_foot) < 1e-2
 
 
 def halves(mesh: TriangleMesh) -> tuple[np.ndarray, np.ndarray]:
@@ -123,46 +132,46 @@ def write_textured_obj(mesh: TriangleMesh, folder: Path) -> Path:
     return folder / "foot.obj"
 
 
-def test_the_texture_of_an_obj_becomes_colours(left_mesh, tmp_path):
-    read = read_mesh(write_textured_obj(left_mesh, tmp_path))
+def test_the_texture_of_an_obj_becomes_colours(small_foot, tmp_path):
+    read = read_mesh(write_textured_obj(small_foot, tmp_path))
     assert read.mesh.is_closed
-    assert share_of_right_colors(read.mesh, left_mesh) > 0.99
+    assert share_of_right_colors(read.mesh, small_foot) > 0.99
 
 
 @pytest.mark.parametrize("missing", ["skin.png", "my colours.mtl"])
-def test_an_obj_without_its_texture_is_read_and_it_is_said(left_mesh, tmp_path, missing):
-    path = write_textured_obj(left_mesh, tmp_path)
+def test_an_obj_without_its_texture_is_read_and_it_is_said(small_foot, tmp_path, missing):
+    path = write_textured_obj(small_foot, tmp_path)
     (tmp_path / missing).unlink()
     read = read_mesh(path)
     assert read.mesh.colors is None
     assert any(missing in note and "is not beside the scan" in note for note in read.notes)
 
 
-def test_a_texture_outside_of_the_folder_is_not_read(left_mesh, tmp_path):
+def test_a_texture_outside_of_the_folder_is_not_read(small_foot, tmp_path):
     folder = tmp_path / "scan"
     folder.mkdir()
-    path = write_textured_obj(left_mesh, folder)
+    path = write_textured_obj(small_foot, folder)
     (folder / "skin.png").rename(tmp_path / "skin.png")
     (folder / "my colours.mtl").write_text("newmtl skin\nmap_Kd ../skin.png\n")
     assert read_mesh(path).mesh.colors is None
 
 
 @pytest.mark.parametrize("where", ["inside", "data"])
-def test_the_texture_of_a_glb_becomes_colours(left_mesh, tmp_path, where):
+def test_the_texture_of_a_glb_becomes_colours(small_foot, tmp_path, where):
     write_picture(tmp_path / "skin.png")
     picture = (tmp_path / "skin.png").read_bytes()
-    uv, _ = halves(left_mesh)
+    uv, _ = halves(small_foot)
     arrays = [
-        left_mesh.vertices.astype("<f4").tobytes(),
+        small_foot.vertices.astype("<f4").tobytes(),
         np.column_stack([uv[:, 0], 1 - uv[:, 1]]).astype("<f4").tobytes(),
-        left_mesh.triangles.astype("<u4").tobytes(),
+        small_foot.triangles.astype("<u4").tobytes(),
         picture,
     ]
     starts = np.cumsum([0, *map(len, arrays)])
     image = {"bufferView": 3, "mimeType": "image/png"}
     if where == "data":
         image = {"uri": "data:image/png;base64," + base64.b64encode(picture).decode()}
-    count = len(left_mesh.vertices)
+    count = len(small_foot.vertices)
     root = {
         "asset": {"version": "2.0"},
         "meshes": [{"primitives": [
@@ -179,7 +188,7 @@ def test_the_texture_of_a_glb_becomes_colours(left_mesh, tmp_path, where):
         "accessors": [
             {"bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3"},
             {"bufferView": 1, "componentType": 5126, "count": count, "type": "VEC2"},
-            {"bufferView": 2, "componentType": 5125, "count": 3 * len(left_mesh.triangles),
+            {"bufferView": 2, "componentType": 5125, "count": 3 * len(small_foot.triangles),
              "type": "SCALAR"},
         ],
     }  # fmt: skip
@@ -193,7 +202,7 @@ def test_the_texture_of_a_glb_becomes_colours(left_mesh, tmp_path, where):
     )
     head = b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little")
     (tmp_path / "foot.glb").write_bytes(head + chunks)
-    assert share_of_right_colors(read_mesh(tmp_path / "foot.glb").mesh, left_mesh) > 0.99
+    assert share_of_right_colors(read_mesh(tmp_path / "foot.glb").mesh, small_foot) > 0.99
 
 
 def points_with(columns: list[str], mesh: TriangleMesh) -> np.ndarray:
@@ -202,58 +211,52 @@ def points_with(columns: list[str], mesh: TriangleMesh) -> np.ndarray:
     return np.column_stack([parts[name] for name in columns])
 
 
-def written_points(columns: list[str], mesh: TriangleMesh) -> str:
-    rows = points_with(columns, mesh)
-    return "".join(" ".join(f"{value:.4f}".rstrip("0").rstrip(".") if "rgb" in columns
-                            else f"{value:.4f}" for value in row) + "\n"
-                   for row in rows)  # fmt: skip
-
-
 def comma(text: str) -> str:
     return text.replace(".", ",")
 
 
-@pytest.mark.parametrize(
-    ("name", "columns", "form"),
-    [
-        ("foot.xyz", ["xyz"], str),
-        ("foot.xyz", ["xyz", "normals"], comma),
-        ("foot.asc", ["xyz", "rgb", "normals"], lambda text: "// X Y Z R G B Nx Ny Nz\n" + text),
-        ("foot.asc", ["xyz", "normals", "rgb"], lambda text: text.replace(" ", ", ")),
-        ("foot.asc", ["xyz"], lambda text: comma(text.replace(" ", ";"))),
-        ("foot.pts", ["xyz", "rgb"], lambda text: f"{text.count(chr(10))}\n{text}"),
-    ],
-    ids=["points", "commas", "head", "separated", "semicolons", "pts"],
-)  # fmt: skip
-def test_points_of_any_notation_are_read(
-    left_mesh: TriangleMesh,
-    tmp_path: Path,
-    name: str,
-    columns: list[str],
-    form: Callable[[str], str],
+FORMS: dict[str, tuple[str, list[str], Callable[[str], str]]] = {
+    "points": ("foot.xyz", ["xyz"], str),
+    "commas": ("foot.xyz", ["xyz", "normals"], comma),
+    "head": ("foot.asc", ["xyz", "rgb", "normals"],
+             lambda text: "// X Y Z R G B Nx Ny Nz\n" + text),
+    "separated": ("foot.asc", ["xyz", "normals", "rgb"], lambda text: text.replace(" ", ", ")),
+    "semicolons": ("foot.asc", ["xyz"], lambda text: comma(text.replace(" ", ";"))),
+    "pts": ("foot.pts", ["xyz", "rgb"], lambda text: f"{text.count(chr(10))}\n{text}"),
+}  # fmt: skip
+
+
+def write_points(form: str, mesh: TriangleMesh, folder: Path) -> Path:
+    name, columns, change = FORMS[form]
+    text = io.StringIO()
+    kinds = [kind for column in columns for kind in 3 * ["%d" if column == "rgb" else "%.4f"]]
+    np.savetxt(text, points_with(columns, mesh), kinds)
+    (folder / name).write_text(change(text.getvalue()))
+    return folder / name
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_points_are_read_from_texts_of_any_form(
+    small_foot: TriangleMesh, tmp_path: Path, form: str
 ) -> None:
-    (tmp_path / name).write_text(form(written_points(columns, left_mesh)))
-    raw = read_raw(file_content(tmp_path / name))
-    assert raw.vertices == pytest.approx(left_mesh.vertices, abs=1e-4)
-    for found, known, column in (
-        (raw.normals, left_mesh.vertex_normals, "normals"),
-        (raw.colors, left_mesh.colors, "rgb"),
-    ):
-        if column in columns:
-            assert found == pytest.approx(known, abs=1e-4)
-        else:
-            assert found is None
+    columns = FORMS[form][1]
+    raw = read_raw(file_content(write_points(form, small_foot, tmp_path)))
+    np.testing.assert_allclose(raw.vertices, small_foot.vertices, rtol=0, atol=1e-4)
+    assert (raw.colors is not None) == ("rgb" in columns)
+    assert raw.colors is None or np.array_equal(raw.colors, small_foot.colors)
+    assert (raw.normals is not None) == ("normals" in columns)
+    if raw.normals is not None:
+        np.testing.assert_allclose(raw.normals, small_foot.vertex_normals, rtol=0, atol=1e-4)
 
 
-@pytest.mark.parametrize("columns", [["xyz"], ["xyz", "rgb", "normals"]])
+@pytest.mark.parametrize("form", ["points", "head"])
 def test_points_become_a_surface_that_faces_outwards(
-    left_mesh: TriangleMesh, tmp_path: Path, columns: list[str]
+    left_mesh: TriangleMesh, tmp_path: Path, form: str
 ) -> None:
-    (tmp_path / "foot.xyz").write_text(written_points(columns, left_mesh))
-    read = read_mesh(tmp_path / "foot.xyz")
+    read = read_mesh(write_points(form, left_mesh, tmp_path))
     assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=0.02)
     assert largest_distance_mm(read.mesh, left_mesh) < 3.0
-    assert (read.mesh.colors is not None) == ("rgb" in columns)
+    assert (read.mesh.colors is not None) == ("rgb" in FORMS[form][1])
     assert any("A surface was laid through" in note for note in read.notes)
 
 
@@ -281,10 +284,11 @@ def test_names_tell_the_side_only_by_whole_words(name, side):
 
 
 @pytest.mark.parametrize("packed", [False, True])
-def test_a_folder_or_archive_with_both_feet(left_mesh, right_mesh, tmp_path, packed):
+def test_a_folder_or_archive_with_both_feet(small_foot, tmp_path, packed):
+    right_mesh = replace(small_foot, vertices=small_foot.vertices * [-1, 1, 1]).flipped()
     folder = tmp_path / "visit"
     folder.mkdir()
-    as_trimesh(left_mesh).export(folder / "Anna left.stl")
+    as_trimesh(small_foot).export(folder / "Anna left.stl")
     as_trimesh(right_mesh).export(folder / "Anna right.stl")
     place = folder
     if packed:
@@ -298,7 +302,7 @@ def test_a_folder_or_archive_with_both_feet(left_mesh, right_mesh, tmp_path, pac
     assert largest_distance_mm(read.mesh, right_mesh) < 1e-3
     both = read_mesh(place)
     assert both.second is not None
-    assert largest_distance_mm(both.mesh, left_mesh) < 1e-3
+    assert largest_distance_mm(both.mesh, small_foot) < 1e-3
     assert largest_distance_mm(both.second.mesh, right_mesh) < 1e-3
     with pytest.raises(InputError, match="two scans of the left foot"):
         scan_parts(folder_with(tmp_path / "twice", "left a.stl", "left b.stl"))
@@ -336,13 +340,13 @@ def test_of_one_scan_in_several_forms_the_first_named_is_read(tmp_path, suffixes
     assert [part.path.suffix for part in scan_parts(folder)] == [read]
 
 
-def test_an_archive_with_one_scan_and_its_texture(left_mesh, tmp_path):
-    write_textured_obj(left_mesh, tmp_path)
+def test_an_archive_with_one_scan_and_its_texture(small_foot, tmp_path):
+    write_textured_obj(small_foot, tmp_path)
     place = tmp_path / "phone.zip"
     with zipfile.ZipFile(place, "w") as archive:
         for name in ("foot.obj", "my colours.mtl", "skin.png"):
             archive.write(tmp_path / name, f"export/{name}")
-    assert share_of_right_colors(read_mesh(place).mesh, left_mesh) > 0.99
+    assert share_of_right_colors(read_mesh(place).mesh, small_foot) > 0.99
 
 
 def test_quads_and_relative_corners_of_an_obj(tmp_path):

@@ -12,7 +12,16 @@ from scipy.spatial import cKDTree
 
 from insole_core.errors import InputError
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.scans.mesh_file import read_mesh
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
+
+
+@pytest.fixture(scope="module")
+def small_foot() -> TriangleMesh:
+    """A left foot in few triangles."""
+    return build_foot(FootShape(side=Side.LEFT), np.random.default_rng(1), cell_mm=5.0).mesh
 
 
 def export(mesh: TriangleMesh, path: Path) -> Path:
@@ -26,47 +35,47 @@ def open_sole(mesh: TriangleMesh) -> TriangleMesh:
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl", ".obj", ".STL"])
-def test_all_formats_give_the_same_closed_surface(left_mesh, tmp_path, suffix):
-    read = read_mesh(export(left_mesh, tmp_path / f"foot{suffix}"))
+def test_all_formats_give_the_same_closed_surface(small_foot, tmp_path, suffix):
+    read = read_mesh(export(small_foot, tmp_path / f"foot{suffix}"))
     assert read.unit == "mm"
     assert read.mesh.is_closed
-    assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=1e-4)
+    assert read.mesh.volume_mm3 == pytest.approx(small_foot.volume_mm3, rel=1e-4)
     assert not any("open" in note or "inside out" in note for note in read.notes)
 
 
-def test_colours_stay_with_their_vertices(left_mesh, tmp_path):
-    read = read_mesh(export(left_mesh, tmp_path / "foot.ply"))
+def test_colours_stay_with_their_vertices(small_foot, tmp_path):
+    read = read_mesh(export(small_foot, tmp_path / "foot.ply"))
     assert read.mesh.colors is not None
-    distance, given = cKDTree(left_mesh.vertices).query(read.mesh.vertices)
+    distance, given = cKDTree(small_foot.vertices).query(read.mesh.vertices)
     assert distance.max() < 1e-3
-    assert np.array_equal(read.mesh.colors, left_mesh.colors[given])
+    assert np.array_equal(read.mesh.colors, small_foot.colors[given])
 
 
-def test_surface_without_colours_has_none(left_mesh, tmp_path):
-    assert read_mesh(export(left_mesh, tmp_path / "foot.stl")).mesh.colors is None
+def test_surface_without_colours_has_none(small_foot, tmp_path):
+    assert read_mesh(export(small_foot, tmp_path / "foot.stl")).mesh.colors is None
 
 
 @pytest.mark.parametrize(
     ("unit", "factor"), [("mm", 1.0), ("cm", 0.1), ("m", 0.001), ("inch", 1 / 25.4)]
 )
-def test_unit_is_found_from_the_size(left_mesh, tmp_path, unit, factor):
-    scaled = replace(left_mesh, vertices=left_mesh.vertices * factor)
+def test_unit_is_found_from_the_size(small_foot, tmp_path, unit, factor):
+    scaled = replace(small_foot, vertices=small_foot.vertices * factor)
     read = read_mesh(export(scaled, tmp_path / "foot.stl"))
     assert read.unit == unit
     assert np.ptp(read.mesh.vertices, axis=0) == pytest.approx(
-        np.ptp(left_mesh.vertices, axis=0), abs=0.01
+        np.ptp(small_foot.vertices, axis=0), abs=0.01
     )
     words = {"mm": "millimetres", "cm": "centimetres", "m": "metres", "inch": "inches"}
     assert f"Read in {words[unit]}" in read.notes[0]
 
 
-def test_a_given_unit_counts_whatever_the_size_suggests(left_mesh, tmp_path):
-    half = replace(left_mesh, vertices=left_mesh.vertices / 2 / 25.4)
+def test_a_given_unit_counts_whatever_the_size_suggests(small_foot, tmp_path):
+    half = replace(small_foot, vertices=small_foot.vertices / 2 / 25.4)
     path = export(half, tmp_path / "half.ply")
     read = read_mesh(path, "inch")
     assert read.unit == "inch"
     assert np.ptp(read.mesh.vertices, axis=0) == pytest.approx(
-        np.ptp(left_mesh.vertices, axis=0) / 2, abs=0.01
+        np.ptp(small_foot.vertices, axis=0) / 2, abs=0.01
     )
     with pytest.raises(InputError, match=r"half\.ply is 5 mm long if .* millimetres.*unit"):
         read_mesh(path, "mm")
@@ -74,33 +83,35 @@ def test_a_given_unit_counts_whatever_the_size_suggests(left_mesh, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".stl", ".ply"])
-def test_a_scan_finer_than_a_foot_needs_is_thinned_and_said(left_mesh, tmp_path, suffix):
-    vertices, triangles = left_mesh.vertices, left_mesh.triangles
+def test_a_scan_finer_than_a_foot_needs_is_thinned_and_said(tmp_path, suffix):
+    shape, rng = FootShape(side=Side.LEFT), np.random.default_rng(1)
+    foot = build_foot(shape, rng, cell_mm=4.0).mesh
+    vertices, triangles = foot.vertices, foot.triangles
     while len(triangles) < 600_000:
         vertices, triangles = trimesh.remesh.subdivide(vertices, triangles)
     fine = TriangleMesh(vertices, triangles.astype(np.int32))
     read = read_mesh(export(fine, tmp_path / f"foot{suffix}"))
     assert len(read.mesh.triangles) < 300_000
     assert any("thinned out to one point every 0.9 mm" in note for note in read.notes)
-    assert read.mesh.volume_mm3 == pytest.approx(left_mesh.volume_mm3, rel=1e-3)
+    assert read.mesh.volume_mm3 == pytest.approx(foot.volume_mm3, rel=1e-3)
     nearest = cKDTree(vertices).query(read.mesh.vertices)[1]
     across = np.sum((read.mesh.vertices - vertices[nearest]) * fine.vertex_normals[nearest], axis=1)
     assert np.quantile(np.abs(across), 0.99) < 0.05
 
 
-def test_inside_out_is_turned_and_said(left_mesh, tmp_path):
-    read = read_mesh(export(left_mesh.flipped(), tmp_path / "foot.ply"))
+def test_inside_out_is_turned_and_said(small_foot, tmp_path):
+    read = read_mesh(export(small_foot.flipped(), tmp_path / "foot.ply"))
     assert read.mesh.volume_mm3 > 0
     assert any("inside out" in note for note in read.notes)
 
 
-def test_open_surface_works_and_is_said(left_mesh, tmp_path):
-    read = read_mesh(export(open_sole(left_mesh), tmp_path / "sole.obj"))
+def test_open_surface_works_and_is_said(small_foot, tmp_path):
+    read = read_mesh(export(open_sole(small_foot), tmp_path / "sole.obj"))
     assert any("open" in note for note in read.notes)
 
 
-def test_open_surface_inside_out_is_turned(left_mesh, tmp_path):
-    sole = open_sole(left_mesh)
+def test_open_surface_inside_out_is_turned(small_foot, tmp_path):
+    sole = open_sole(small_foot)
     read = read_mesh(export(sole.flipped(), tmp_path / "sole.ply"))
     facing = (read.mesh.triangle_normals * [0, 0, 1]).sum()
     assert facing == pytest.approx((sole.triangle_normals * [0, 0, 1]).sum(), rel=1e-3)
@@ -164,8 +175,8 @@ def test_garbage_is_refused_with_its_name(suffix, content, tmp_path):
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl"])
 @pytest.mark.parametrize("kept", [0.05, 0.5, 0.99])
-def test_file_cut_off_is_refused(left_mesh, tmp_path, suffix, kept):
-    path = export(left_mesh, tmp_path / f"foot{suffix}")
+def test_file_cut_off_is_refused(small_foot, tmp_path, suffix, kept):
+    path = export(small_foot, tmp_path / f"foot{suffix}")
     content = path.read_bytes()
     path.write_bytes(content[: int(len(content) * kept)])
     with pytest.raises(InputError, match="export it again"):
