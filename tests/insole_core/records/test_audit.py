@@ -204,7 +204,7 @@ def peak_bytes(work: Callable[[], object]) -> int:
 
 @pytest.mark.slow
 def test_verification_takes_as_much_memory_for_a_long_log(database: Database) -> None:
-    fill(database, 20_000)
+    fill(database, 10_000)
     with database.reading() as connection:
         verify_chain(connection)
-        assert peak_bytes(lambda: verify_chain(connection)) < 12 * 2**20
+        assert peak_bytes(lambda: verify_chain(connection)) < 5 * 2**20

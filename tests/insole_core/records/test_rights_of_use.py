@@ -58,13 +58,15 @@ WRITES: dict[str, Use] = {
 }
 
 
-@pytest.mark.parametrize("use", [*SEES.values(), *WRITES.values()], ids=[*SEES, *WRITES])
-def test_an_administrator_sees_no_patients(stations: Stations, visit: Visit, use: Use) -> None:
-    with pytest.raises(NotAllowed, match="may not"):
-        use(signed_in(stations, Role.ADMINISTRATOR), visit)
-    with pytest.raises(NotAllowed, match="not signed in"):
-        use(signed_in(stations, "somebody"), visit)
-    use(signed_in(stations, Role.TECHNICIAN), visit)
+def test_an_administrator_sees_no_patients(stations: Stations, visit: Visit) -> None:
+    roles = (Role.ADMINISTRATOR, "somebody", Role.TECHNICIAN)
+    administrator, somebody, technician = (signed_in(stations, role) for role in roles)
+    for name, use in (SEES | WRITES).items():
+        for who, why in ((administrator, "may not"), (somebody, "not signed in")):
+            with pytest.raises(NotAllowed) as refused:
+                use(who, visit)
+            assert why in str(refused.value), name
+        use(technician, visit)
 
 
 def test_a_technician_neither_signs_nor_merges(stations: Stations, visit: Visit) -> None:
@@ -125,7 +127,10 @@ UNCHECKED = {
 def test_whatever_opens_a_transaction_checks_or_is_known() -> None:
     found = set()
     for path in sorted((ROOT / "insole_core").rglob("*.py")):
-        tree = ast.parse(path.read_text("utf-8"))
+        source = path.read_text("utf-8")
+        if not any(f".{name}" in source for name in OPENS):
+            continue
+        tree = ast.parse(source)
         for function in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)):
             if _opens(function) and not _calls(function) & CHECKS:
                 found.add(f"{path.relative_to(ROOT / 'insole_core').as_posix()} {function.name}")

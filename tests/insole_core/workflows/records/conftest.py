@@ -15,6 +15,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.formats.stl import write_stl
 from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.author import Author
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
@@ -67,8 +68,14 @@ def clinic(
         )
         for day in (date(2026, 3, 1), date(2026, 11, 20))
     )
-    left = FootRecord.begun(left_foot, ScanSource("mesh", "/scans/Öberg/left.stl", "a" * 64))
-    right = FootRecord.begun(right_foot, ScanSource("mesh", "/scans/Öberg/right.stl", "b" * 64))
+    left, right = (
+        FootRecord.begun(
+            foot,
+            ScanSource("mesh", f"/scans/Öberg/{foot.side}.stl", digest * 64),
+            InsoleDesign(foot.side, grid_mm=2.0),
+        )
+        for foot, digest in ((left_foot, "a"), (right_foot, "b"))
+    )
     records.prescriptions.save(visits[0].id, left, None)
     base = records.prescriptions.save(visits[1].id, left, None, reason="Öberg wants it so")
     design = replace(

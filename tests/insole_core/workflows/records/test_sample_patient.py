@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import date
@@ -36,17 +37,34 @@ NAME = "Anna Example (sample patient)"
 MUCH_LATER = date(2090, 1, 1)
 
 
+def opened_in(folder: Path) -> Records:
+    return open_records(RecordsPlace.local(folder), Author("Dr. Dal", "here"))
+
+
+@pytest.fixture(scope="module")
+def with_sample(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a record that holds the sample patient."""
+    folder = tmp_path_factory.mktemp("sample")
+    records = opened_in(folder)
+    ensure_sample(records, NAME, "Invented.", "Pain.")
+    records.close()
+    return folder
+
+
 @pytest.fixture
-def records(tmp_path: Path) -> Iterator[Records]:
-    """A new record of this computer."""
-    opened = open_records(RecordsPlace.local(tmp_path), Author("Dr. Dal", "here"))
+def records(with_sample: Path, tmp_path: Path) -> Iterator[Records]:
+    """A record of this computer with nothing but the sample patient."""
+    shutil.copytree(with_sample, tmp_path / "record")
+    opened = opened_in(tmp_path / "record")
     yield opened
     opened.close()
 
 
 @pytest.fixture
 def sample(records: Records) -> Person:
-    return ensure_sample(records, NAME, "Invented.", "Pain.")
+    person = records.persons.sample()
+    assert person is not None
+    return person
 
 
 def flags(records: Records) -> tuple[bool, bool]:
