@@ -53,6 +53,18 @@ def placed_scan(shared_data: Path) -> Callable[[str, Side], Foot]:
     return placed
 
 
+@pytest.fixture(scope="session")
+def true_foot(shared_data: Path) -> Callable[[str, Side], Foot]:
+    """Read and place the true foot of each session of the reference data once."""
+
+    @cache
+    def placed(session: str, side: Side) -> Foot:
+        mesh = read_mesh(shared_data / "sessions" / session / "truth.ply").mesh
+        return place_foot(mesh, side, frame="reference")
+
+    return placed
+
+
 @pytest.fixture(scope="module")
 def real_foot(placed_scan: Callable[[str, Side], Foot]) -> Callable[[str, Side], Foot]:
     """Give the foot of a reference scan; what is derived from it goes with the module."""

@@ -19,7 +19,7 @@ from insole_core.simulate.foot_shape import FootShape
 @pytest.fixture(scope="module", params=list(Side))
 def foot(request: pytest.FixtureRequest) -> Foot:
     shape = FootShape(length_mm=250, ball_width_mm=94, side=request.param)
-    mesh = build_foot(shape, np.random.default_rng(3), cell_mm=3.0).mesh
+    mesh = build_foot(shape, np.random.default_rng(3), cell_mm=4.0).mesh
     return place_foot(mesh, request.param, frame="reference")
 
 

@@ -19,6 +19,7 @@ from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import vary_shape
+from insole_core.workflows.import_scan import examine_scan, take_foot
 
 
 def thrown(mesh: TriangleMesh, seed: int) -> tuple[TriangleMesh, np.ndarray]:
@@ -40,24 +41,20 @@ def pointed(foot: Foot, degrees: float) -> TriangleMesh:
     return foot.mesh.moved(np.column_stack([x, back, up]))
 
 
-@pytest.mark.parametrize("degrees", [0, 60])
-def test_a_foot_with_a_long_leg_is_found(left_foot: Foot, degrees: float) -> None:
-    scan, a2b = thrown(pointed(left_foot, degrees), 4)
+@pytest.mark.parametrize("degrees", [0, 30, 60])
+def test_a_foot_with_a_long_leg_is_found_and_the_leg_cut_off_square_to_itself(
+    left_foot: Foot, degrees: float
+) -> None:
+    scan, a2b = thrown(pointed(left_foot, degrees), 5)
     found = find_foot(scan)
     likely = found.candidates[0]
     assert (likely.side, found.doubts) == (Side.LEFT, ())
     assert likely.length_mm == pytest.approx(left_foot.length_mm, rel=0.01)
     assert rotation_angle_deg((likely.source2insole @ a2b)[:3, :3]) < 3
-
-
-@pytest.mark.parametrize("degrees", [0, 30, 60])
-def test_the_leg_is_cut_off_square_to_itself(left_foot: Foot, degrees: float) -> None:
-    scan, _ = thrown(pointed(left_foot, degrees), 5)
-    found = find_foot(scan)
-    leg = found.candidates[0].leg
+    leg = likely.leg
     assert leg is not None
     assert leg.ankle_deg == pytest.approx(90 + degrees, abs=10)
-    foot = placed_foot(found, found.candidates[0])
+    foot = placed_foot(found, likely)
     beyond = (foot.mesh.vertices - np.array(leg.end)) @ np.array(leg.axis)
     assert beyond.max() < 0.01
     assert foot.mesh.vertices[:, 2].max() > 0.4 * foot.length_mm  # the ankle is still there
@@ -91,8 +88,7 @@ def on_floor(mesh: TriangleMesh, cut_mm: float, floor_mm: float) -> TriangleMesh
     )
 
 
-@pytest.mark.parametrize("degrees", [0, 60])
-@pytest.mark.parametrize("floor_mm", [0.1, 6.0])
+@pytest.mark.parametrize(("degrees", "floor_mm"), [(60, 0.1), (0, 6.0)])
 def test_a_foot_that_stood_has_its_sole_closed(
     left_foot: Foot, degrees: float, floor_mm: float
 ) -> None:
@@ -162,11 +158,14 @@ def test_a_foot_without_toes_is_taken_of_either_side_or_doubted(left_foot: Foot)
 
 @pytest.mark.slow
 @pytest.mark.shared
-@pytest.mark.parametrize("side", list(Side))
-def test_a_residual_limb_is_no_foot(shared_data: Path, side: Side) -> None:
-    mesh = read_mesh(shared_data / "feet" / "limb" / "stl_file.stl").mesh
-    with pytest.raises(ProportionsError, match="mm"):
-        place_foot(mesh, side, frame="unknown")
+def test_a_residual_limb_is_no_foot(shared_data: Path) -> None:
+    examination = examine_scan(shared_data / "feet" / "limb" / "stl_file.stl")
+    found = examination.feet[0]
+    for side in Side:
+        candidate = found.best(side)
+        assert candidate is not None
+        with pytest.raises(ProportionsError, match="mm"):
+            take_foot(examination, found, candidate)
 
 
 @pytest.mark.slow

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -10,14 +11,13 @@ import pytest
 import trimesh
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.import_choice import ImportChoice
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.foot.foot import Foot
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
-from insole_core.geometry.side import Side
 from insole_core.resources import resource_path
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.workflows.open_scan import open_scan
 
 
@@ -146,22 +146,17 @@ def test_a_recorded_session_is_presentable() -> None:
 
 
 @pytest.mark.shared
-def test_a_session_of_the_reference_is_presentable(shared_data: Path) -> None:
-    foot = open_scan(shared_data / "sessions/left_a").foot
+def test_a_session_of_the_reference_is_presentable(recorded_foot: Callable[[str], Foot]) -> None:
+    foot = recorded_foot("left_a")
     check_is_presentable(foot.mesh, foot.display_surface())
 
 
 @pytest.mark.shared
 @pytest.mark.parametrize(
-    ("scan", "side"),
-    [
-        ("feet/plantar_scan.obj", Side.RIGHT),
-        ("feet/dupontgu/left_foot.stl", Side.LEFT),
-        ("feet/limb/stl_file.stl", Side.LEFT),
-    ],
+    "scan", ["plantar_scan.obj", "dupontgu/left_foot.stl", "limb/stl_file.stl"]
 )
-def test_foreign_scans_hardly_change(shared_data: Path, scan: str, side: Side) -> None:
-    mesh = open_scan(shared_data / scan, side, choice=ImportChoice(force=True)).foot.mesh
+def test_foreign_scans_hardly_change(shared_data: Path, scan: str) -> None:
+    mesh = read_mesh(shared_data / "feet" / scan).mesh
     shown = display_surface(mesh).mesh
     assert abs(shown.area_mm2 / mesh.area_mm2 - 1) < 0.005
     assert np.abs(shown.bounds_mm - mesh.bounds_mm).max() < 1.5

@@ -43,7 +43,7 @@ NO_FEET: dict[str, tuple[Shape, str]] = {
     "plate of 5 mm": (lambda _: own(make.box((90, 240, 5))), "no proportions of a foot: 2.."),
     "capsule": (lambda _: own(make.capsule(180, 35)), "no proportions of a foot"),
     "heel half": (heel_half, "no proportions of a foot"),
-    "EU 74": (scaled(2.0), "a foot of 49. mm, and feet are 90 to 350 mm"),
+    "EU 55": (scaled(1.5), "a foot of 36. mm, and feet are 90 to 350 mm"),
     "doll": (scaled(0.35), "a foot of 8. mm"),
 }
 
@@ -68,9 +68,9 @@ def test_children_and_giants_have_feet(left_mesh: TriangleMesh, factor: float) -
 
 
 def test_the_user_may_insist_on_proportions_and_on_a_length(left_mesh: TriangleMesh) -> None:
-    capsule = own(make.capsule(180, 35))
-    assert place_foot(capsule, Side.LEFT, frame="unknown", force=True).length_mm > 200
-    long = scaled(1.5)(left_mesh)
+    block = own(make.box((90, 240, 60)))
+    assert place_foot(block, Side.LEFT, frame="unknown", force=True).length_mm > 200
+    long = scaled(1.45)(left_mesh)
     assert place_foot(long, Side.LEFT, frame="unknown", force=True).length_mm > 350
     with pytest.raises(InputError, match="feet are 90 to 350 mm"):
-        place_foot(scaled(2.5)(left_mesh), Side.LEFT, frame="unknown", force=True)
+        place_foot(scaled(2.05)(left_mesh), Side.LEFT, frame="unknown", force=True)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
 from insole_core.foot.measure_table import measure_table
@@ -20,7 +21,6 @@ from insole_core.geometry.transforms import transform
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import vary_shape
-from insole_core.workflows.open_scan import open_scan
 
 
 @pytest.fixture(scope="module", params=range(3))
@@ -29,9 +29,13 @@ def model(request) -> FootModel:
     return build_foot(vary_shape(rng, [Side.RIGHT, Side.LEFT][request.param % 2]), rng)
 
 
-@pytest.mark.slow
-def test_landmarks_of_simulated_feet(model):
-    foot = place_foot(model.mesh, model.shape.side, frame="reference")
+@pytest.fixture(scope="module")
+def placed(model: FootModel) -> Foot:
+    return place_foot(model.mesh, model.shape.side, frame="reference")
+
+
+def test_landmarks_of_simulated_feet(model, placed):
+    foot = placed
     found = find_landmarks(foot)
     assert found.keys() == set(NAMES)
     for name, truth in model.landmarks_mm.items():
@@ -60,9 +64,8 @@ def true_sizes_mm(model: FootModel) -> dict[str, float]:
     }
 
 
-def test_measures_of_simulated_feet(model):
-    foot = place_foot(model.mesh, model.shape.side, frame="reference")
-    got, shape = measure(foot, find_landmarks(foot)), model.shape
+def test_measures_of_simulated_feet(model, placed):
+    got, shape = measure(placed, find_landmarks(placed)), model.shape
     for name, size_mm in true_sizes_mm(model).items():
         assert got[name] == pytest.approx(size_mm, abs=0.7), name
     # The shape counts along the reference frame, and before its parts are joined.
@@ -185,9 +188,9 @@ def test_measures_that_stand_on_a_badly_seen_place_are_named(left_mesh, left_foo
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize("session", ["left_a", "right_b"])
-def test_measures_of_a_fused_foot(shared_data: Path, session: str):
+def test_measures_of_a_fused_foot(shared_data: Path, recorded_foot, session: str):
     truth = json.loads((shared_data / "sessions" / "landmarks.json").read_text())
-    foot = open_scan(shared_data / "sessions" / session).foot
+    foot = recorded_foot(session)
     got, known = measure(foot, find_landmarks(foot)), truth[str(foot.side)]
     # They reach 0.7 mm; the last tenths of a fused foot hang on how a machine rounds.
     assert got["foot_length"] == pytest.approx(known["foot_length_along_axis_to_2nd_toe"], abs=1)

@@ -88,8 +88,7 @@ def test_triangles_of_a_simulated_foot_do_not_matter(
 
 @pytest.mark.slow
 @pytest.mark.shared
-@pytest.mark.parametrize("remesh", CLOSED)
-@pytest.mark.parametrize("side", list(Side))
+@pytest.mark.parametrize(("side", "remesh"), list(zip([*Side, *Side], CLOSED, strict=True)))
 def test_triangles_of_a_real_foot_do_not_matter(
     shared_data: Path, real_foot: Callable[[str, Side], Foot], side: Side, remesh: Remesh
 ) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,7 +16,6 @@ from insole_core.foot.tape import tape_length
 from insole_core.geometry.arrays import BoolArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.workflows.open_scan import open_scan
 
 LEG = {"rearfoot_angle_deg", "achilles_angle_deg", "achilles_lean_deg"}
 BACK = {"ball_girth", "instep_height", "arch_height_index"}
@@ -106,8 +104,8 @@ def test_it_is_not_compared_with_the_other_foot(left_foot: Foot, right_mesh: Tri
 
 @pytest.mark.slow
 @pytest.mark.shared
-def test_girth_of_a_fused_foot_is_not_made_up(shared_data: Path) -> None:
-    assert missing(open_scan(shared_data / "sessions" / "right_b").foot) == BACK
+def test_girth_of_a_fused_foot_is_not_made_up(recorded_foot: Callable[[str], Foot]) -> None:
+    assert missing(recorded_foot("right_b")) == BACK
 
 
 def ring(shares: np.ndarray) -> np.ndarray:
