@@ -14,7 +14,7 @@ from insole_core.foot.side_check import side_doubt
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.reconstruct import Reconstruction, reconstruct
+from insole_core.reconstruct import Method, Reconstruction, reconstruct
 from insole_core.reconstruct.views.foot_coverage import coverage_of, coverage_warnings
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
@@ -45,9 +45,9 @@ def with_colors(session: Session, name: str, change: Callable[[ByteArray], ByteA
     return altered(session, name, changed)
 
 
-def said_of(session: Session, name: str) -> str:
+def said_of(session: Session, name: str, method: Method = "thesis") -> str:
     """What is said of a view, used or not; the others are used, and a warning repeats it."""
-    result = reconstruct(session)
+    result = reconstruct(session, method)
     view = next(view for view in result.views if view.name == name)
     assert all(other.used for other in result.views if other is not view)
     assert any(view.reason in warning for warning in result.warnings)
@@ -127,7 +127,7 @@ def test_a_foot_cut_off_by_the_edge_of_the_picture(session: Session) -> None:
 
         return replace(view, sensor=sensor, read_depth=read_depth)
 
-    said = said_of(altered(session, "left", moved), "left")
+    said = said_of(altered(session, "left", moved), "left", "fused")
     assert "cut off at the left edge" in said
 
 

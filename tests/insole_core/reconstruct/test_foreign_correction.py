@@ -30,7 +30,7 @@ def test_a_correction_of_another_sensor_in_a_session_is_told(tmp_path: Path) -> 
     session = read_session(SMALL)
     own = session.views[0].sensor.serial
     write_session(corrected_by(session, "B2"), tmp_path / "session")
-    found = reconstruct(read_session(tmp_path / "session"))
+    found = reconstruct(read_session(tmp_path / "session"), "thesis")
     sentence = (
         f"the distortion of the depth is corrected by what was measured on sensor B2, not on {own}"
     )
@@ -45,5 +45,5 @@ def test_a_correction_of_another_sensor_in_a_session_is_told(tmp_path: Path) -> 
 def test_the_own_correction_and_one_of_an_unknown_sensor_are_used(owner: str | None) -> None:
     session = read_session(SMALL)
     own = session.views[0].sensor.serial
-    found = reconstruct(corrected_by(session, own if owner is None else owner))
+    found = reconstruct(corrected_by(session, own if owner is None else owner), "thesis")
     assert not [text for text in found.warnings if "was measured on" in text]

@@ -55,7 +55,7 @@ def look(
 
 
 @pytest.mark.slow
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=10, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.integers(0, 4), st.integers(0, 8))
 def test_every_marker_is_named_rightly_or_the_view_is_refused(
     seed: int, hidden: int, clutter: int
