@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import trimesh
 from benchmarks._odd_scans import last_form
 from insole_core.cases.import_choice import ImportChoice
 from insole_core.errors import InputError
+from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.foot.foot_placement import DoubtfulScanError
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measures import measure
@@ -21,7 +23,7 @@ from insole_core.imprints.form import Form
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
-from insole_core.workflows.import_scan import examine_scan
+from insole_core.workflows.import_scan import examine_scan, take_foot
 from insole_core.workflows.open_scan import open_scan
 
 LENGTH_MM = 246.0
@@ -69,11 +71,16 @@ def test_a_guessed_unit_is_asked(
     path = written(suffix, scaled(foot, length), tmp_path / f"foot.{suffix}")
     (found,) = examine_scan(path).feet
     assert len(found.unit_readings) >= 1
-    with pytest.raises(DoubtfulScanError, match=said + r".*Use --unit"):
-        open_scan(path, Side.LEFT, choice=ImportChoice(force=True))
+    assert re.search(said, " ".join(found.doubts))
     unit = found.unit_readings[0].unit
     told = open_scan(path, Side.LEFT, choice=ImportChoice(unit=unit)).foot
     assert told.length_mm == pytest.approx(found.unit_readings[0].length_mm)
+
+
+def test_a_command_says_how_to_tell_the_unit(foot: TriangleMesh, tmp_path: Path) -> None:
+    path = written("stl", scaled(foot, 14.0), tmp_path / "foot.stl")
+    with pytest.raises(DoubtfulScanError, match=r"if it is in centimetres.*Use --unit"):
+        open_scan(path, Side.LEFT, choice=ImportChoice(force=True))
 
 
 def test_what_is_told_by_lengths_is_asked_once_the_unit_is_known(
@@ -126,22 +133,30 @@ def test_decimal_commas_are_named(foot: TriangleMesh, tmp_path: Path, suffix: st
         read_mesh(path)
 
 
+@pytest.fixture(scope="module")
+def near(foot: TriangleMesh, tmp_path_factory: pytest.TempPathFactory) -> FoundFoot:
+    """The foot at the origin, in metres."""
+    path = tmp_path_factory.mktemp("near") / "near.off"
+    return examine_scan(written("off", foot.moved(foot.vertices / 1000), path)).feet[0]
+
+
 @pytest.mark.parametrize("far", [(6e4, 4e4, 0.0), (6e5, 4e5, 100.0), (4.5e8, 5.4e9, 1e5)])
 def test_a_foot_far_from_the_origin_is_the_same(
-    foot: TriangleMesh, tmp_path: Path, far: tuple[float, float, float]
+    foot: TriangleMesh, near: FoundFoot, tmp_path: Path, far: tuple[float, float, float]
 ) -> None:
     metres = foot.moved((foot.vertices + np.array(far)) / 1000)
-    near = examine_scan(written("off", foot, tmp_path / "near.off")).feet[0].candidates
     lines = "".join("v {!r} {!r} {!r}\n".format(*row) for row in metres.vertices.tolist())
     lines += "".join("f {} {} {}\n".format(*row) for row in (foot.triangles + 1).tolist())
     path = tmp_path / "far.obj"
     path.write_text(lines, encoding="ascii")
-    (found,) = examine_scan(path).feet
-    assert [one.side for one in found.candidates] == [one.side for one in near]
-    for there, here in zip(found.candidates, near, strict=True):
+    examination = examine_scan(path)
+    (found,) = examination.feet
+    assert [one.side for one in found.candidates] == [one.side for one in near.candidates]
+    for there, here in zip(found.candidates, near.candidates, strict=True):
         assert there.length_mm == pytest.approx(here.length_mm, abs=0.7)
         assert there.dissimilarity == pytest.approx(here.dissimilarity, rel=0.05)
-    made = open_scan(path, Side.LEFT).foot
+    assert (found.told_side, found.doubts) == (Side.LEFT, ())
+    made = take_foot(examination, found, found.candidates[0]).foot
     assert abs(made.mesh.vertices[:, 0]).max() < 100
 
 

@@ -46,8 +46,30 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Callable[[TriangleMesh]
 
 
 @pytest.fixture(scope="module")
-def single(left_mesh, written) -> Path:
-    return written(single_box(left_mesh, cell_mm=2.0).transformed(TURN))
+def box(left_mesh) -> TriangleMesh:
+    """A foam box with one foot."""
+    return single_box(left_mesh, cell_mm=2.0)
+
+
+@pytest.fixture(scope="module")
+def single(box, written) -> Path:
+    return written(box.transformed(TURN))
+
+
+@pytest.fixture(scope="module")
+def examined(single) -> ScanExamination:
+    return examine_scan(single)
+
+
+@pytest.fixture(scope="module")
+def double(left_mesh, right_mesh, written) -> Path:
+    """The scan of a box with both feet."""
+    return written(double_box([left_mesh, right_mesh], cell_mm=2.0).transformed(TURN))
+
+
+@pytest.fixture(scope="module")
+def both_examined(double) -> ScanExamination:
+    return examine_scan(double)
 
 
 def first_taken(examination: ScanExamination, number: int = 0) -> ScannedFoot:
@@ -55,12 +77,10 @@ def first_taken(examination: ScanExamination, number: int = 0) -> ScannedFoot:
     return take_foot(examination, found, found.candidates[0])
 
 
-def test_the_foot_of_an_imprint_lies_where_it_was_pressed_in(single, left_mesh):
-    examination = examine_scan(single)
-
-    assert examination.form is Form.IMPRINT
-    assert examination.feet[0].doubts == ()
-    scanned = first_taken(examination)
+def test_the_foot_of_an_imprint_lies_where_it_was_pressed_in(examined, left_mesh):
+    assert examined.form is Form.IMPRINT
+    assert examined.feet[0].doubts == ()
+    scanned = first_taken(examined)
     assert scanned.foot.side is Side.LEFT
     assert scanned.foot.length_mm == pytest.approx(245, abs=4)
     assert (scanned.foot.form, scanned.source.form) == (Form.IMPRINT, Form.IMPRINT)
@@ -81,14 +101,10 @@ def test_an_imprint_opens_by_command_and_makes_an_insole(single):
     assert insole.contact.heights_mm.max() < 45
 
 
-def test_both_feet_of_a_box_are_found_left_first(left_mesh, right_mesh, written):
-    path = written(double_box([left_mesh, right_mesh], cell_mm=2.0).transformed(TURN))
-
-    examination = examine_scan(path)
-
-    assert [found.candidates[0].side for found in examination.feet] == [Side.LEFT, Side.RIGHT]
-    assert all(found.doubts == () for found in examination.feet)
-    assert open_scan(path, Side.RIGHT).foot.side is Side.RIGHT
+def test_both_feet_of_a_box_are_found_left_first(double, both_examined):
+    assert [found.candidates[0].side for found in both_examined.feet] == [Side.LEFT, Side.RIGHT]
+    assert all(found.doubts == () for found in both_examined.feet)
+    assert open_scan(double, Side.RIGHT).foot.side is Side.RIGHT
 
 
 def test_shapes_that_contradict_their_places_are_doubted(left_mesh, right_mesh, written):
@@ -98,8 +114,8 @@ def test_shapes_that_contradict_their_places_are_doubted(left_mesh, right_mesh, 
         assert any("by its shape" in doubt for doubt in found.doubts)
 
 
-def test_a_sole_that_stands_out_is_asked_and_keeps_its_side(left_mesh, written):
-    path = written(single_box(left_mesh, cell_mm=2.0).flipped())
+def test_a_sole_that_stands_out_is_asked_and_keeps_its_side(box, written):
+    path = written(box.flipped())
 
     asked = examine_scan(path)
     said = examine_scan(path, ImportChoice(form=Form.IMPRINT))
@@ -112,13 +128,13 @@ def test_a_sole_that_stands_out_is_asked_and_keeps_its_side(left_mesh, written):
         assert examination.feet[0].candidates[0].side is Side.LEFT
 
 
-def test_no_expansion_is_proposed_for_an_imprint(single, left_foot):
+def test_no_expansion_is_proposed_for_an_imprint(single, examined, left_foot):
     devices = clinic_devices(single.parent).load().items
     device = find_device(devices, "EVA, full length")
     finish = replace(device.values.finish, expansion_mm=2.0)
     device = replace(device, values=replace(device.values, finish=finish))
     starting = StartingDevice(device, ClinicMaterials(single.parent).load()[0])
-    foot = first_taken(examine_scan(single)).foot
+    foot = first_taken(examined).foot
 
     assert starting.design(left_foot).finish.expansion_mm == 2.0
     design = starting.design(foot)
@@ -132,8 +148,8 @@ def test_no_expansion_is_proposed_for_an_imprint(single, left_foot):
     assert not any("spread already" in sentence for sentence in warned)
 
 
-def test_a_case_keeps_the_form_of_its_scan(single, tmp_path):
-    scanned = first_taken(examine_scan(single))
+def test_a_case_keeps_the_form_of_its_scan(examined, tmp_path):
+    scanned = first_taken(examined)
     record = CaseRecord.of_foot(FootRecord.begun(scanned.foot, scanned.source))
 
     write_case(record, tmp_path / "case.insole")
@@ -154,8 +170,7 @@ def test_an_end_that_was_hardly_pressed_in_is_told(left_mesh, written, lifted_de
     assert any("hardly pressed in" in doubt for doubt in found.doubts)
 
 
-def test_a_known_length_gives_the_scale_of_a_box(left_mesh, written):
-    box = single_box(left_mesh, cell_mm=2.0)
+def test_a_known_length_gives_the_scale_of_a_box(box, written):
     path = written(replace(box, vertices=box.vertices * 0.0137))
 
     examination = examine_scan(path, ImportChoice(known_size=KnownFootLength(246.0)))
@@ -191,18 +206,17 @@ def clicked_on_sole(found: FoundFoot) -> PoseClicks:
     return PoseClicks(heel, toe, sole)
 
 
-def test_a_cast_is_what_the_user_says(left_mesh, written):
-    (found,) = examine_scan(written(left_mesh)).feet
+def test_a_cast_is_what_the_user_says(left_mesh, left_foot, written):
     examination = examine_scan(written(left_mesh), ImportChoice(form=Form.CAST))
 
     scanned = first_taken(examination)
     assert scanned.foot.form is Form.CAST
-    assert scanned.foot.length_mm == pytest.approx(found.candidates[0].length_mm, abs=0.5)
+    assert scanned.foot.length_mm == pytest.approx(left_foot.length_mm, abs=0.5)
     assert any("cast taken under weight" in note for note in scanned.foot.notes)
 
 
-def test_an_imprint_without_its_rim_is_asked_for_its_form(left_mesh, written):
-    scan = find_imprints(single_box(left_mesh, cell_mm=2.0))
+def test_an_imprint_without_its_rim_is_asked_for_its_form(box, written):
+    scan = find_imprints(box)
     assert scan is not None
     (imprint,) = scan.imprints
 
@@ -223,11 +237,10 @@ def test_a_low_cast_with_a_flat_top_lies_as_a_foot_does(left_mesh, written):
     assert found.candidates[0].length_mm == pytest.approx(245, abs=3)
 
 
-def test_three_clicks_place_the_foot_of_an_imprint(left_mesh, right_mesh, written):
-    path = written(double_box([left_mesh, right_mesh], cell_mm=2.0))
-    _, right = examine_scan(path).feet
+def test_three_clicks_place_the_foot_of_an_imprint(double, both_examined):
+    _, right = both_examined.feet
 
-    clicked = examine_scan(path, ImportChoice(pose=clicked_on_sole(right))).feet
+    clicked = examine_scan(double, ImportChoice(pose=clicked_on_sole(right))).feet
 
     assert [found.candidates[0].side for found in clicked] == [Side.LEFT, Side.RIGHT]
     to_source = np.linalg.inv(right.candidates[0].source2insole)

@@ -15,7 +15,12 @@ from insole_core.progress import Progress
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.session import FootPlace
-from insole_core.workflows.make_feet import DoubtfulFeetError, make_feet, reconstruct_feet
+from insole_core.workflows.make_feet import (
+    DoubtfulFeetError,
+    ReconstructedFoot,
+    make_feet,
+    reconstruct_feet,
+)
 from insole_core.workflows.make_foot import MeasuredSession, measure_session, open_session
 
 BOTH_SMALL = Path(__file__).parents[2] / "data" / "sessions" / "both_small.zip"
@@ -53,25 +58,41 @@ def test_each_foot_lands_on_its_side(opened: MeasuredSession) -> None:
         assert made.scan.warnings == ()
 
 
-def test_one_foot_of_both_is_as_that_of_a_session_of_its_own(opened: MeasuredSession) -> None:
+@pytest.fixture(scope="module")
+def steps() -> list[tuple[float, str]]:
+    """What is said while the feet are reconstructed."""
+    return []
+
+
+@pytest.fixture(scope="module")
+def of_both(
+    opened: MeasuredSession, steps: list[tuple[float, str]]
+) -> tuple[ReconstructedFoot, ...]:
+    return reconstruct_feet(
+        opened, progress=Progress(lambda *step: steps.append(step)), method="thesis"
+    )
+
+
+def test_one_foot_of_both_is_as_that_of_a_session_of_its_own(
+    opened: MeasuredSession, of_both: tuple[ReconstructedFoot, ...]
+) -> None:
     alone = opened.of_foot(Side.RIGHT)
     assert alone.session.manifest.side is Side.RIGHT
     (made,) = reconstruct_feet(alone, method="thesis")
-    _, of_both = reconstruct_feet(opened, method="thesis")
-    assert made.side is of_both.side is Side.RIGHT
-    ends, ends_of_both = (one.result.mesh.vertices.max(0) for one in (made, of_both))
+    right = of_both[1]
+    assert made.side is right.side is Side.RIGHT
+    ends, ends_of_both = (one.result.mesh.vertices.max(0) for one in (made, right))
     np.testing.assert_allclose(ends, ends_of_both, atol=0.1)
     # Its poses are found anew in the foot's own frame, instead of once for both.
-    for one, shared in zip(made.result.views, of_both.result.views, strict=True):
+    for one, shared in zip(made.result.views, right.result.views, strict=True):
         assert one.sensor2reference is not None
         assert shared.sensor2reference is not None
         np.testing.assert_allclose(one.sensor2reference, shared.sensor2reference, atol=1e-4)
 
 
-def test_progress_names_the_foot(opened: MeasuredSession) -> None:
-    seen: list[tuple[float, str]] = []
-    reconstruct_feet(opened, progress=Progress(lambda *step: seen.append(step)), method="thesis")
-    about = [foot for foot, _ in groupby(text.split(": ")[0] for _, text in seen)]
+@pytest.mark.usefixtures("of_both")
+def test_progress_names_the_foot(steps: list[tuple[float, str]]) -> None:
+    about = [foot for foot, _ in groupby(text.split(": ")[0] for _, text in steps)]
     assert about == ["The left foot", "The right foot"]
 
 
@@ -132,10 +153,9 @@ def with_volume_of_left(
 def test_a_foot_that_its_volume_cuts_is_refused(
     opened: MeasuredSession, low_mm: Triple, high_mm: Triple
 ) -> None:
-    cut = with_volume_of_left(opened, low_mm, high_mm)
-    for feet in (cut, cut.of_foot(Side.LEFT)):  # also if only this one is asked for
-        with pytest.raises(DoubtfulFeetError, match="The left foot reaches out of its volume"):
-            reconstruct_feet(feet, method="thesis")
+    alone = with_volume_of_left(opened, low_mm, high_mm).of_foot(Side.LEFT)
+    with pytest.raises(DoubtfulFeetError, match="The left foot reaches out of its volume"):
+        reconstruct_feet(alone, method="thesis")
 
 
 def test_the_volume_of_one_foot_is_corrected_alone(opened: MeasuredSession) -> None:

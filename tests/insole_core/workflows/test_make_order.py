@@ -41,6 +41,7 @@ from insole_core.solids.checks import Override
 from insole_core.solids.export_job import ExportJob
 from insole_core.solids.export_rules import ExportRules, read_rules
 from insole_core.solids.nesting import closest_nest
+from insole_core.solids.order import Part
 from insole_core.solids.order_number import new_order_number
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
@@ -272,15 +273,25 @@ def bytes_of(path: Path) -> bytes:
     return content
 
 
+NUMBER = new_order_number(date(2026, 11, 22))
+NAMELESS = OrderChoice(
+    both=True, block=block_of("EVA pair"), checks=True, prescription=True, pseudonym=NUMBER,
+    relief="engraved", most_triangles=None,
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def nameless_parts(record: CaseRecord) -> tuple[Part, ...]:
+    return make_parts(record, NAMELESS, RULES)
+
+
 @pytest.mark.slow
-def test_the_shop_never_gets_the_name(record: CaseRecord, tmp_path: Path, suffix: str) -> None:
-    number = new_order_number(date(2026, 11, 22))
-    choice = OrderChoice(
-        both=True, block=block_of("EVA pair"), suffix=".stl" if suffix == "text" else suffix,
-        ascii_stl=suffix == "text", checks=True, prescription=True, pseudonym=number,
-        relief="engraved", most_triangles=None,
-    )  # fmt: skip
-    parts = make_parts(record, choice, RULES)
+def test_the_shop_never_gets_the_name(
+    nameless_parts: tuple[Part, ...], tmp_path: Path, suffix: str
+) -> None:
+    number, parts = NUMBER, nameless_parts
+    is_text = suffix == "text"
+    choice = replace(NAMELESS, suffix=".stl" if is_text else suffix, ascii_stl=is_text)
     path = tmp_path / f"{number}{choice.suffix}"
     write_order(parts, choice, path, shop=SHOP, patient=PATIENT, responsible=RESPONSIBLE)
     files = files_of(parts, choice, path, False)

@@ -41,7 +41,7 @@ def length_mm(left_mesh: TriangleMesh, tmp_path_factory: pytest.TempPathFactory)
     return examine_scan(path).feet[0].candidates[0].length_mm
 
 
-@pytest.mark.parametrize("factor", [1e-4, 20.0, 1e6])
+@pytest.mark.parametrize("factor", [1e-4, 1e6])
 def test_a_known_length_of_the_foot_scales_any_unit(turned, length_mm, tmp_path, factor):
     path = tmp_path / "foot.stl"
     write_stl(replace(turned, vertices=turned.vertices * factor), path)
