@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 import trimesh
 
-from insole_core.foot.foot_placement import place_foot
 from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -19,7 +18,6 @@ from insole_core.insole.block import block_solid
 from insole_core.insole.build import build_insole
 from insole_core.insole.elements import Pelott, Posting
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.scans.mesh_file import read_mesh
 
 
 def heights(mesh: TriangleMesh, xy: np.ndarray) -> np.ndarray:
@@ -79,8 +77,9 @@ def test_block_has_the_size_of_foot_and_margin(left_foot):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("grid_mm", [0.5, 1.0, 2.0])
-@pytest.mark.parametrize("centre", [(12.3, 150.4), (-3.5, 140.5), (8.0, 152.0)])
+@pytest.mark.parametrize(
+    ("grid_mm", "centre"), [(0.5, (12.3, 150.4)), (1.0, (-3.5, 140.5)), (2.0, (8.0, 152.0))]
+)
 def test_apex_is_where_it_was_asked_for(left_foot, grid_mm, centre):
     pad = Pelott(centre_mm=centre, height_mm=6, turn_deg=20)
     plain = InsoleDesign(Side.LEFT, (Posting(rearfoot_deg=4),), grid_mm=grid_mm)
@@ -115,18 +114,13 @@ def test_pad_that_is_switched_off_leaves_no_trace(left_foot):
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize(
-    ("file", "side"),
-    [
-        ("sessions/left_a/truth.ply", Side.LEFT),
-        ("sessions/right_b/truth.ply", Side.RIGHT),
-        ("feet/plantar_scan.obj", Side.RIGHT),
-    ],
+    ("name", "side"),
+    [("left_a", Side.LEFT), ("right_b", Side.RIGHT), ("plantar_scan.obj", Side.RIGHT)],
 )
 def test_real_feet_give_solids_with_the_big_toe_medially(
-    shared_data: Path, tmp_path: Path, file: str, side: Side
+    true_foot, real_foot, tmp_path: Path, name: str, side: Side
 ):
-    mesh = read_mesh(shared_data / file).mesh
-    foot = place_foot(mesh, side, frame="reference" if "truth" in file else "unknown")
+    foot = real_foot(name, side) if "." in name else true_foot(name, side)
     centre = (12.3 * side.medial_sign, 150.4)
     pad = Pelott(centre_mm=centre, height_mm=6)
     plain = InsoleDesign(side, (Posting(rearfoot_deg=4),))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +10,6 @@ from scipy.ndimage import binary_erosion, maximum_filter, minimum_filter
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
-from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import apply_pads, build_insole
@@ -20,7 +18,6 @@ from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.surface.contact import base_key, contact_base
 from insole_core.progress import Cancelled, Progress
-from insole_core.scans.mesh_file import read_mesh
 
 PAD = Pelott(centre_mm=(12.3, 150.4), height_mm=6.0, turn_deg=10)
 
@@ -235,9 +232,8 @@ def test_building_can_be_cancelled_and_reports_its_steps(left_foot):
 
 @pytest.mark.slow
 @pytest.mark.shared
-def test_ankle_does_not_press_through_the_sole(shared_data: Path):
-    mesh = read_mesh(shared_data / "sessions" / "left_a" / "truth.ply").mesh
-    foot = place_foot(mesh, Side.LEFT, frame="reference")
+def test_ankle_does_not_press_through_the_sole(true_foot):
+    foot = true_foot("left_a", Side.LEFT)
     contact = build_insole(foot, InsoleDesign(Side.LEFT)).contact
     assert contact.heights_mm.max() < 3 + 31
     assert contact.height_at(np.array([0.0, 40.0])) < 3 + 4

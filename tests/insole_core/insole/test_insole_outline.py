@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,7 +21,6 @@ from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.primitives.outline_curve import crosses_itself
 from insole_core.solids.solid import SolidOptions, insole_solid
-from insole_core.workflows.open_scan import open_scan
 
 LENGTH_MM, HALF_WIDTH_MM = 250.0, 40.0
 NONE = Outline(toe_allowance_mm=0, ball_allowance_mm=0, heel_allowance_mm=0)
@@ -203,8 +202,8 @@ def test_heads_put_to_odd_places_still_give_an_outline(
 
 @pytest.mark.shared
 @pytest.mark.parametrize("extent", ["full", "three_quarter"])
-def test_it_is_fair_about_a_real_sole(shared_data: Path, extent: str) -> None:
-    scan = open_scan(shared_data / "feet" / "plantar_scan.obj", Side.RIGHT)
-    bend = curvature(marked(scan.foot, Outline(extent=extent)))
+def test_it_is_fair_about_a_real_sole(real_foot: Callable[[str, Side], Foot], extent: str) -> None:
+    foot = real_foot("plantar_scan.obj", Side.RIGHT)
+    bend = curvature(marked(foot, Outline(extent=extent)))
     assert (np.sign(bend) != np.sign(np.roll(bend, 1))).sum() <= 4
     assert bend.max() < (1 / 16 if extent == "full" else 1 / 9)

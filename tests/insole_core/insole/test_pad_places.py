@@ -33,7 +33,7 @@ PADS = {
 @pytest.fixture(scope="module", params=list(Side))
 def foot(request: pytest.FixtureRequest) -> Foot:
     shape = FootShape(length_mm=255, ball_width_mm=96, side=request.param)
-    mesh = build_foot(shape, np.random.default_rng(2), cell_mm=3.0).mesh
+    mesh = build_foot(shape, np.random.default_rng(2), cell_mm=4.0).mesh
     return place_foot(mesh, request.param, frame="reference")
 
 

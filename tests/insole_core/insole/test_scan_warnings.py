@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -16,7 +16,6 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.warnings.design_warnings import design_warnings
-from insole_core.workflows.open_scan import open_scan
 
 
 def warnings(foot: Foot) -> list[str]:
@@ -61,7 +60,7 @@ def test_a_tilted_foot_is_told_with_what_levels_it(
 
 
 @pytest.mark.shared
-def test_a_scan_that_is_not_level_is_told(shared_data: Path) -> None:
-    foot = open_scan(shared_data / "feet" / "plantar_scan.obj", Side.RIGHT).foot
+def test_a_scan_that_is_not_level_is_told(real_foot: Callable[[str, Side], Foot]) -> None:
+    foot = real_foot("plantar_scan.obj", Side.RIGHT)
     (sentence,) = warnings(foot)
     assert "the heel lies 5 mm higher than the ball" in sentence

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -35,6 +36,7 @@ from insole_core.insole.surface.contact import contact_base
 PLATE_HALF, PLATE_LENGTH = 50.0, 240.0
 
 
+@cache
 def plate(side: Side) -> Foot:
     half, length = PLATE_HALF, PLATE_LENGTH
     corners = np.array([[-half, 0, 0], [half, 0, 0], [half, length, 0], [-half, length, 0]])

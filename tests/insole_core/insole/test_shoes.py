@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from insole_core.errors import DesignError, InputError
@@ -145,6 +145,7 @@ def test_an_insole_is_wider_where_the_shoe_is_narrow(left_foot: Foot) -> None:
     np.testing.assert_array_equal(kept, outline)
 
 
+@settings(max_examples=30)
 @given(width_mm=st.floats(68, 95), clearance_mm=st.floats(0, 3))
 def test_a_trimmed_insole_lies_within_its_shoe(
     left_foot: Foot, width_mm: float, clearance_mm: float

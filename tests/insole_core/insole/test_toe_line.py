@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,7 +19,6 @@ from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.surface.contact import contact_base
-from insole_core.workflows.open_scan import open_scan
 
 RIM = (RimStation(border="medial", along=0.0, height_mm=12.0),)
 DRAGGED_MM = (0.0, 4.0, 12.5, 25.0)
@@ -44,8 +43,10 @@ def test_the_toe_line_lies_where_the_zone_begins(foot: Foot, ahead_mm: float) ->
 
 @pytest.mark.shared
 @pytest.mark.slow
-def test_the_toe_line_of_a_scan_lies_where_the_zone_begins(shared_data: Path) -> None:
-    foot = open_scan(shared_data / "feet" / "dupontgu" / "left_foot.stl", Side.LEFT).foot
+def test_the_toe_line_of_a_scan_lies_where_the_zone_begins(
+    real_foot: Callable[[str, Side], Foot],
+) -> None:
+    foot = real_foot("dupontgu/left_foot.stl", Side.LEFT)
     for ahead_mm in DRAGGED_MM:
         assert distances_mm(foot, ahead_mm) == pytest.approx(0.0, abs=0.05)
 

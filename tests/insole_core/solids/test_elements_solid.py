@@ -33,9 +33,8 @@ def elements(foot: Foot, kinds: tuple[str, ...]) -> tuple[Correction, ...]:
     return tuple(replace(pad, id=new_id()) for pad in laid)
 
 
-@pytest.mark.parametrize("bottom", ["flat", "following"])
+@pytest.mark.parametrize(("side", "bottom"), [("left_foot", "flat"), ("right_foot", "following")])
 @pytest.mark.parametrize("kinds", TOGETHER, ids=lambda kinds: kinds[0])
-@pytest.mark.parametrize("side", ["left_foot", "right_foot"])
 def test_an_insole_with_several_elements_is_watertight(
     request: pytest.FixtureRequest, side: str, kinds: tuple[str, ...], bottom: str
 ) -> None:

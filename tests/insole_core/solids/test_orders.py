@@ -36,7 +36,6 @@ from insole_core.solids.order import Order, Part, make_part
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.solids.simplification import to_manifold
-from insole_core.workflows.open_scan import open_scan
 
 SHOP = read_shop()
 RESPONSIBLE = Responsible("A. Ek", "Foot Clinic", "Sula AB", "Gatan 1, Lund")
@@ -156,8 +155,8 @@ def test_a_short_shell_stands_on_the_ground_in_the_file(left_foot, tmp_path: Pat
 
 
 @pytest.mark.shared
-def test_a_shell_of_a_scan_stands_on_the_ground_in_the_file(shared_data: Path, tmp_path: Path):
-    foot = open_scan(shared_data / "feet" / "plantar_scan.obj", Side.RIGHT).foot
+def test_a_shell_of_a_scan_stands_on_the_ground_in_the_file(real_foot, tmp_path: Path):
+    foot = real_foot("plantar_scan.obj", Side.RIGHT)
     write(ExportJob((part_of(dress_shell(foot)),), SHOP), ExportPaths(tmp_path / "dress.3mf"))
     (written,) = trimesh.load(tmp_path / "dress.3mf").geometry.values()
     assert abs(written.bounds[0, 2]) < 1e-6

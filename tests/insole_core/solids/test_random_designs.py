@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
 
 import pytest
 
 from benchmarks._random_designs import random_solids
 from benchmarks._witnesses import by_admesh, by_manifold, by_prusa_info, by_trimesh
-from insole_core.foot.foot_placement import place_foot
 from insole_core.formats.solid_content import SolidPart
 from insole_core.formats.stl import write_stl
 from insole_core.formats.three_mf import write_3mf
@@ -17,8 +15,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.scans.mesh_file import read_mesh
-from insole_core.solids.solid import KINDS, make_solid
+from insole_core.solids.solid import make_solid
 
 pytestmark = pytest.mark.slow
 
@@ -61,18 +58,13 @@ def test_prusa_slicer_calls_them_manifold(solids, tmp_path: Path):
 
 @pytest.mark.shared
 @pytest.mark.parametrize(
-    ("file", "side"),
-    [
-        ("sessions/left_a/truth.ply", Side.LEFT),
-        ("sessions/right_b/truth.ply", Side.RIGHT),
-        ("feet/plantar_scan.obj", Side.RIGHT),
-    ],
+    ("name", "side"),
+    [("left_a", Side.LEFT), ("right_b", Side.RIGHT), ("plantar_scan.obj", Side.RIGHT)],
 )
-def test_real_feet(shared_data: Path, tmp_path: Path, file: str, side: Side):
-    frame: Literal["reference", "unknown"] = "reference" if "truth" in file else "unknown"
-    foot = place_foot(read_mesh(shared_data / file).mesh, side, frame=frame)
+def test_real_feet(true_foot, real_foot, tmp_path: Path, name: str, side: Side):
+    foot = real_foot(name, side) if "." in name else true_foot(name, side)
     path = tmp_path / "solid.stl"
-    for kind in KINDS:
+    for kind in ("insole", "positive"):  # blocks of them are among those of test_block
         solid = make_solid(build_insole(foot, InsoleDesign(side)), kind)
         write_stl(solid, path)
         assert by_trimesh(path) == []

@@ -28,8 +28,12 @@ def left(left_foot) -> TriangleMesh:
 
 
 @pytest.fixture(scope="module")
-def right(right_foot) -> TriangleMesh:
-    return insole_solid(build_insole(right_foot, InsoleDesign(Side.RIGHT)))
+def coarse_pair(left_foot, right_foot) -> tuple[TriangleMesh, TriangleMesh]:
+    left, right = (
+        insole_solid(build_insole(foot, InsoleDesign(foot.side, grid_mm=2.0)))
+        for foot in (left_foot, right_foot)
+    )
+    return left, right
 
 
 def check_by_admesh(mesh: TriangleMesh, path: Path) -> None:
@@ -59,9 +63,9 @@ def test_solid_below_the_target_stays_as_it_is(left):
 
 
 @pytest.mark.slow
-def test_target_that_cannot_be_met(left):
+def test_target_that_cannot_be_met(coarse_pair):
     with pytest.raises(DesignError, match="100 triangles are too few"):
-        simplify(left, 100, 0.05)
+        simplify(coarse_pair[0], 100, 0.05)
 
 
 def test_open_mesh_is_no_solid(left):
@@ -122,7 +126,8 @@ def test_letters_of_any_script(text, known):
 
 
 @pytest.mark.slow
-def test_pair_in_one_block(left, right):
+def test_pair_in_one_block(coarse_pair):
+    left, right = coarse_pair
     nest = nest_pair(left, right, (340, 220, 40))
     bodies = [to_manifold(mesh) for mesh in nest.meshes]
     assert (bodies[0] ^ bodies[1]).volume() == 0
@@ -137,6 +142,6 @@ def test_pair_in_one_block(left, right):
     np.testing.assert_allclose((low + high)[:2], (220, 340))
 
 
-def test_block_too_small_for_a_pair(left, right):
+def test_block_too_small_for_a_pair(coarse_pair):
     with pytest.raises(DesignError, match="needs a block of"):
-        nest_pair(left, right, (300, 120, 40))
+        nest_pair(*coarse_pair, (300, 120, 40))
