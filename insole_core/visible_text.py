@@ -9,29 +9,29 @@ files, and the streams of the command line, call this themselves.
 from __future__ import annotations
 
 import logging
-import unicodedata
+import re
 from typing import Final
 
-_DIRECTIONS: Final = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
-_UNSEEN: Final = ("Cc", "Cs", "Zl", "Zp")
-_LINES: Final = "\n\t"
+_CONTROL: Final = re.compile("[\0-\x1f\x7f-\x9f\ud800-\udfff\u2028-\u202e\u2066-\u2069]")
+"""Unicode's controls and surrogates (Cc, Cs), ends of lines and paragraphs, and directions."""
+_CONTROL_IN_LINES: Final = re.compile(f"(?![\n\t]){_CONTROL.pattern}")
 LONGEST: Final = 1000
 """Characters of a value within a sentence; the middle of a longer one is left out."""
 
 
 def is_control(character: str) -> bool:
     """Return whether a character cannot be seen, but changes what is seen."""
-    return character in _DIRECTIONS or unicodedata.category(character) in _UNSEEN
+    return _CONTROL.fullmatch(character) is not None
 
 
 def visible(text: str) -> str:
     """Return a text without control characters, but for the ends of its lines and tabulators."""
-    return text if text.isprintable() else "".join(map(_seen_in_lines, text.replace("\r\n", "\n")))
+    return _CONTROL_IN_LINES.sub(_seen, text.replace("\r\n", "\n"))
 
 
 def visible_line(text: str) -> str:
     """Return a text without any control character, and so in one line."""
-    return text if text.isprintable() else "".join(map(_seen, text))
+    return _CONTROL.sub(_seen, text)
 
 
 def visible_value(text: str) -> str:
@@ -49,9 +49,5 @@ class VisibleRecord(logging.LogRecord):
         return visible_line(super().getMessage())
 
 
-def _seen_in_lines(character: str) -> str:
-    return character if character in _LINES else _seen(character)
-
-
-def _seen(character: str) -> str:
-    return f"\\u{ord(character):04x}" if is_control(character) else character
+def _seen(control: re.Match[str]) -> str:
+    return f"\\u{ord(control[0]):04x}"
