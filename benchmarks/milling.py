@@ -50,7 +50,7 @@ def main() -> None:
     failed: list[int] = []
     print(
         "seed  sides   gouge  surplus (99.99 %)  beside   rapid  tabs  fast falls  too deep"
-        "  deepest  interpreter  CPU s"
+        "  too wide  deepest  interpreter  CPU s"
     )
     done, seed = 0, first - 1
     while done < DESIGNS and seed < last:
@@ -107,13 +107,14 @@ class _Result:
     tabs: int
     fast_falls: int
     too_deep: int
+    too_wide: int
     deepest_mm: float
 
     def __str__(self) -> str:
         return (
             f"{self.gouge_mm:>8.3f}{self.surplus_mm:>9.3f}{self.usual_mm:>10.3f}"
             f"{self.beside_mm:>8.3f}{self.rapid_mm:>8.3f}{self.tabs:>6}"
-            f"{self.fast_falls:>12}{self.too_deep:>10}{self.deepest_mm:>9.1f}"
+            f"{self.fast_falls:>12}{self.too_deep:>10}{self.too_wide:>10}{self.deepest_mm:>9.1f}"
         )
 
     def is_within(self, tabs: int) -> bool:
@@ -125,6 +126,7 @@ class _Result:
             and self.tabs >= LEAST_TABS * tabs
             and not self.fast_falls
             and not self.too_deep
+            and not self.too_wide
         )
 
 
@@ -152,15 +154,15 @@ def _judged(plan: MillingPlan, both: bool) -> _Result:
     )
 
 
-def _engaged(plan: MillingPlan) -> tuple[int, int, float]:
-    """Count falls at cutting feed, and roughing moves deeper than a step; give the deepest."""
-    fast, deep, deepest = 0, 0, 0.0
+def _engaged(plan: MillingPlan) -> tuple[int, int, int, float]:
+    """Count falls at cutting feed, too deep moves and too wide ones; give the deepest."""
+    fast, deep, wide, deepest = 0, 0, 0, 0.0
     for moves in moves_of(plan):
         fast += int(moves.fast_plunges.sum())
-        if moves.operation.name == "roughing":
-            deep += int(moves.too_deep(plan.machine.roughing.step_down_mm).sum())
+        deep += int((moves.too_deep | moves.above_flutes).sum())
+        wide += int(moves.too_wide.sum())
         deepest = max(deepest, float(moves.depth_mm[moves.cuts].max()))
-    return fast, deep, deepest
+    return fast, deep, wide, deepest
 
 
 def _joined(solids: Sequence[TriangleMesh]) -> TriangleMesh:

@@ -27,7 +27,7 @@ def added_lines(surface: Surface, tips: FloatArray, how: Finishing) -> BoolArray
     tips : (nx, ny) float64, mm
         Lowest tips of the cutter at all nodes. The raster takes every few lines.
     """
-    every = max(int(how.step_over_mm / surface.step_mm + 1e-9), 1)
+    every = surface.steps_in(how.step_over_mm)
     needed = np.zeros(tips.shape, bool)
     touched = _touches(surface, tips, how.cutter.radius_mm)
     spans = [(0, every)]

@@ -13,6 +13,7 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.machine import Machine
+from insole_core.milling.stock import Stock
 from insole_core.milling.surface import Surface
 from insole_core.milling.tabs import Tabs
 from insole_core.milling.tool_path import (
@@ -20,7 +21,7 @@ from insole_core.milling.tool_path import (
     Operation,
     PathWriter,
     SideName,
-    without_collinear,
+    densified,
 )
 
 _ARC_PIECES = 64
@@ -29,13 +30,10 @@ _CHORD_MM = 0.002
 _ABOVE_MM = 1e-4
 _SECTION_MM = 0.25
 """Between the sections whose union a wall must stay outside of."""
-_PITCH_MM = 0.5
 _SEARCH_MM = 1.0
 """Pitch of the map that tells where there is still a wall."""
 _STRAIGHT_MM = 0.2
 """Radius of a helix below which it would have too many turns."""
-_FREE_STEPS = 2
-"""Above a way along an edge, the walls have been cut free."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +52,7 @@ def contour(
     *,
     side: SideName,
     tabs: Tabs,
+    stock: Stock,
     along_edges: Sequence[FloatArray] = (),
 ) -> Operation | None:
     """Cut round the solids, from the top of their walls down.
@@ -62,6 +61,8 @@ def contour(
     ----------
     surface
         With the heights beside the solids to which the walls are cut.
+    stock
+        From which the cutter takes away.
     along_edges : (n, 3) float64 each, mm
         Further ways of the axis, once the walls are cut.
 
@@ -70,19 +71,16 @@ def contour(
     Operation or None
         None when there is nothing to cut.
     """
+    how = machine.contour
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
-    walls = _wall_tops(surface, machine.contour.cutter.radius_mm)
-    over_tabs = tabs.axis_heights(surface)
+    walls = _wall_tops(surface, how.cutter.radius_mm)
     for loop in loops:
-        line = densified(loop.line_mm)
-        heights = np.maximum(loop.level_mm, over_tabs[surface.index_of(line)])
-        path = np.column_stack([line, heights])
+        path = tabs.over_way(densified(loop.line_mm), loop.level_mm, surface)
         for run in _pieces(path, _needed(path, loop.level_mm, surface, walls, machine)):
-            writer.start(without_collinear(run))
+            stock.write(run, writer, how.cutter, how.step_down_mm, beside=0.0)
     for way in along_edges:
-        free_mm = way[0, 2] + _FREE_STEPS * machine.contour.step_down_mm
-        writer.start(without_collinear(way), free_mm)
-    return None if writer.is_empty else writer.operation("contour", side, machine.contour.cutter)
+        stock.write(way, writer, how.cutter, how.step_down_mm, beside=0.0)
+    return None if writer.is_empty else writer.operation("contour", side, how.cutter)
 
 
 def contour_loops(
@@ -181,15 +179,6 @@ def _needed(
     reaches_up = walls[i // pixels, j // pixels] >= level_mm
     reaches_down = surface.heights_mm[i, j] < path[:, 2] + machine.contour.step_down_mm
     return np.asarray(reaches_up & reaches_down & (surface.beside_mm[i, j] > 0))
-
-
-def densified(loop: FloatArray, pitch_mm: float = _PITCH_MM) -> FloatArray:
-    """Return a loop with points at most a pitch apart."""
-    pieces = np.ceil(np.linalg.norm(np.diff(loop, axis=0), axis=1) / pitch_mm).astype(int)
-    edge = np.repeat(np.arange(len(pieces)), pieces)
-    within = np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-    share = (within / pieces[edge])[:, None]
-    return np.concatenate([loop[edge] * (1 - share) + loop[edge + 1] * share, loop[-1:]])
 
 
 def _pieces(path: FloatArray, cut: BoolArray) -> list[FloatArray]:

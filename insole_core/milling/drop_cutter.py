@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -45,6 +47,8 @@ def tip_heights(
         Above the bottom of the block, at the nodes of each line.
     """
     radius = cutter.radius_mm + allowance_mm
+    if cutter.shape == "flat":
+        return _under_disc(surface, radius)[lines] + allowance_mm
     reach = int(radius / surface.step_mm / every) * every
     ring = np.pad(surface.heights_mm, reach, constant_values=np.float32(surface.floor_mm))
     ny = surface.inside.shape[1]
@@ -59,16 +63,28 @@ def tip_heights(
             np.maximum(
                 row[:, reach + j : reach + j + ny], row[:, reach - j : reach - j + ny], out=level
             )
-            level += np.float32(_cap(cutter, radius, distance2))
+            level += np.float32(np.sqrt(radius**2 - distance2) - cutter.radius_mm)
             np.maximum(tips, level, out=tips)
     return np.asarray(tips, float)
 
 
-def _cap(cutter: Cutter, radius_mm: float, distance2: FloatArray | float) -> FloatArray:
-    """Return the tip above a point that the enlarged cutter touches at a horizontal distance."""
-    if cutter.shape == "flat":
-        return np.full_like(np.asarray(distance2, float), radius_mm - cutter.radius_mm)
-    return np.asarray(np.sqrt(radius_mm**2 - distance2) - cutter.radius_mm)
+def _under_disc(surface: Surface, radius_mm: float) -> FloatArray:
+    """Return the greatest height (nx, ny) of the surface within a radius of each node."""
+    floor = float(surface.floor_mm)
+    kernel = disc(radius_mm, surface.step_mm)
+    return np.asarray(
+        cv2.dilate(
+            surface.heights_mm, kernel, borderType=cv2.BORDER_CONSTANT, borderValue=(floor,)
+        ),
+        float,
+    )
+
+
+def disc(radius_mm: float, step_mm: float) -> NDArray[np.uint8]:
+    """Return which nodes (2 r + 1, 2 r + 1) lie within a radius of the one in the middle."""
+    reach = int(radius_mm / step_mm)
+    i, j = np.mgrid[-reach : reach + 1, -reach : reach + 1]
+    return np.asarray((i * i + j * j) * step_mm**2 <= radius_mm**2, np.uint8)
 
 
 def finishing_heights(surface: Surface, cutter: Cutter) -> FloatArray:

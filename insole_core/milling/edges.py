@@ -9,9 +9,10 @@ import scipy
 from numpy.lib.stride_tricks import sliding_window_view
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
-from insole_core.milling.contours import Loop, densified, outermost
+from insole_core.milling.contours import Loop, outermost
 from insole_core.milling.surface import Surface
 from insole_core.milling.tabs import Tabs
+from insole_core.milling.tool_path import densified
 
 EDGE_STEP_MM = 0.125
 _EDGE_HEIGHT_MM = 1.5

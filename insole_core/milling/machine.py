@@ -73,12 +73,24 @@ class Cutter:
 
 @dataclass(frozen=True)
 class Roughing:
-    """Clearing of the block level by level; `allowance_mm` stays on the surface."""
+    """Clearing of the block level by level; `allowance_mm` stays on the surface.
+
+    Parameters
+    ----------
+    width_mm
+        Widest cut of a whole step-down. Wider ones take as much away in more passes.
+    """
 
     cutter: Cutter
     step_down_mm: float
     step_over_mm: float
+    width_mm: float
     allowance_mm: float
+
+    @property
+    def slot_mm(self) -> float:
+        """Depth to which the cutter may go where it cuts as wide as it is."""
+        return self.step_down_mm * self.width_mm / self.cutter.diameter_mm
 
 
 @dataclass(frozen=True)
@@ -328,10 +340,16 @@ def _used(item: JsonObject, cutters: tuple[Cutter, ...], shape: Shape | None) ->
 
 def _roughing(item: JsonObject, cutters: tuple[Cutter, ...]) -> Roughing:
     cutter = _used(item, cutters, None)
+    step_over_mm = item.number("step_over_mm", 0.2, cutter.radius_mm * 1.6)
+    least_mm = max(step_over_mm, cutter.radius_mm)
+    width_mm = cutter.diameter_mm
+    if item.has("width_mm"):
+        width_mm = item.number("width_mm", least_mm, cutter.diameter_mm)
     return Roughing(
         cutter,
         item.number("step_down_mm", 0.2, min(50, cutter.flute_mm)),
-        item.number("step_over_mm", 0.2, cutter.radius_mm * 1.6),
+        step_over_mm,
+        width_mm,
         item.number("allowance_mm", 0.3, 5),
     )
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.milling.added_lines import added_lines
 from insole_core.milling.drop_cutter import finishing_heights
 from insole_core.milling.machine import Cutter, Machine
+from insole_core.milling.stock import Stock
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (
     CLEARANCE_MM,
@@ -25,6 +27,10 @@ _CLOSE_MM = 0.003
 """By which straight pieces may leave a finishing path."""
 OVER_RIM = 0.95
 """Share of the radius by which a ball goes over the rim: it touches edges that fall by 70°."""
+_SHARE = 0.75
+"""Of the step-down of roughing, that finishing takes away at most."""
+_MORE = 2
+"""Nodes round one where more stays, which may be missed on single ones."""
 _LINK_LINES = 1
 _GONE = 10**6
 """Node of pieces that have been followed, far from all."""
@@ -72,9 +78,9 @@ class Raster:
 
 
 def finishing(
-    surface: Surface, machine: Machine, block_height_mm: float, side: SideName
+    surface: Surface, machine: Machine, block_height_mm: float, side: SideName, stock: Stock
 ) -> Operation:
-    """Leave the surface in lines, a little over its rim.
+    """Leave the surface in lines, a little over its rim, and take away from the stock.
 
     Where evenly spaced lines would leave more than their ridges (in a crease between two of them,
     or on a slope across them), pieces of lines are added between them.
@@ -83,13 +89,30 @@ def finishing(
     lines = raster_lines(surface, how.step_over_mm)
     tips = np.minimum(finishing_heights(surface, how.cutter), block_height_mm)
     allowed = surface.beside_mm <= how.cutter.radius_mm * OVER_RIM
+    top, most_mm = stock.free_tips(how.cutter), _SHARE * machine.roughing.step_down_mm
+    # Beside a wall the ball would meet all that stays along it, which the contour cuts.
+    near = cv2.dilate(top, np.ones((2 * _MORE + 1, 2 * _MORE + 1)))
+    tips = np.where(surface.inside, tips, np.maximum(tips, near - most_mm))
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
     raster = Raster(surface, how.cutter, lines, tips[lines])
+    deep = allowed & (top > tips + most_mm)
+    for run in _longer(deep[lines], allowed[lines]):
+        way = raster.at(run.line, np.arange(run.start, run.end + 1))
+        stock.write(way, writer, how.cutter, most_mm)
     _follow(raster, allowed[lines], writer)
     added = added_lines(surface, tips, how) & allowed
     whole = Raster(surface, how.cutter, np.arange(len(tips)), tips)
     _follow_pieces(whole, added, allowed, writer)
+    on_lines = added.copy()
+    on_lines[lines] |= allowed[lines]
+    stock.sweep(tips, on_lines, how.cutter)
     return writer.operation("finishing", side, how.cutter)
+
+
+def _longer(nodes: BoolArray, allowed: BoolArray) -> list[Run]:
+    """Return the pieces of the nodes, with some more before and after them."""
+    grown = cv2.dilate(nodes.astype(np.uint8), np.ones((1, 2 * _MORE + 1), np.uint8)) > 0
+    return [run for run in runs_of(grown & allowed) if run.end > run.start]
 
 
 def _follow_pieces(
@@ -149,8 +172,7 @@ def _link(
 
 def raster_lines(surface: Surface, step_over_mm: float) -> IntArray:
     """Return the lines of the grid that a raster takes, at most the step-over apart."""
-    every = max(int(step_over_mm / surface.step_mm + 1e-9), 1)
-    return np.arange(0, len(surface.x_mm), every)
+    return np.arange(0, len(surface.x_mm), surface.steps_in(step_over_mm))
 
 
 def _follow(raster: Raster, active: BoolArray, writer: PathWriter) -> None:

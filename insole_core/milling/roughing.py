@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.milling.drop_cutter import tip_heights
-from insole_core.milling.machine import Machine
+from insole_core.milling.machine import Machine, Roughing
 from insole_core.milling.rasters import Raster, Run, raster_lines, runs_of
+from insole_core.milling.stock import Stock, pieces_of, widened
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (
     CLEARANCE_MM,
@@ -22,10 +25,14 @@ from insole_core.milling.tool_path import (
 from insole_core.progress import SILENT, Progress
 
 _LEAST_CUT_MM = 0.05
-_SHORTEST_RAMP_MM = 2.0
+_WATERLINES = ((0.0, 0.1), (1 / 3, 2.0), (2 / 3, 2.0))
+"""Shares of a level at which the cutter goes along walls, and how high may stay there, mm."""
+_BEYOND = 8
+"""Nodes of the grid by which it does so farther than needed."""
+_SHORTEST_RAMP_MM = 1.0
 """A run that is shorter is entered from above."""
 _SAME_MM = 1e-6
-_MOST_TO_AND_FRO = 8
+_MOST_TO_AND_FRO = 12
 _BACK, _FORTH = slice(None, None, -1), slice(None)
 
 
@@ -36,6 +43,7 @@ def roughing(
     side: SideName,
     *,
     reach_mm: float,
+    stock: Stock,
     progress: Progress = SILENT,
 ) -> Operation | None:
     """Clear the block above the surface, and round the solids.
@@ -44,26 +52,63 @@ def roughing(
     ----------
     reach_mm
         Round the solids, in which the cutter's axis moves.
+    stock
+        From which the cutter takes away.
 
     Returns
     -------
     Operation or None
         None when there is nothing to clear.
     """
-    how = machine.roughing
-    lines = raster_lines(surface, how.step_over_mm)
-    tips = tip_heights(surface, how.cutter, lines, how.allowance_mm)
-    allowed = surface.beside_mm[lines] <= reach_mm
+    how, cutter = machine.roughing, machine.roughing.cutter
+    lines, every_line = raster_lines(surface, how.step_over_mm), np.arange(len(surface.x_mm))
+    tips = tip_heights(surface, cutter, every_line, how.allowance_mm)
+    allowed = surface.beside_mm <= reach_mm
+    on_lines = np.zeros_like(allowed)
+    on_lines[lines] = allowed[lines]
+    # Farther out the cutter would meet what the lines have left of the block.
+    near_solids = surface.beside_mm <= reach_mm - how.step_over_mm
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
     lowest = float(tips[allowed].min())
     count = max(int(np.ceil((block_height_mm - lowest) / how.step_down_mm)), 1)
     for number, step in enumerate(progress.parts(count), 1):
         step.step(0.0, "Roughing, level {level} of {levels}", level=number, levels=count)
         above = block_height_mm - (number - 1) * how.step_down_mm
-        raster = Raster(surface, how.cutter, lines, np.maximum(tips, above - how.step_down_mm))
-        active = allowed & (tips < above - _LEAST_CUT_MM)
-        _Level(raster, active, above, how.allowance_mm / 10).write(writer)
-    return None if writer.is_empty else writer.operation("roughing", side, how.cutter)
+        level_mm = above - how.step_down_mm
+        level = np.maximum(tips, level_mm)
+        active = on_lines & (tips < above - _LEAST_CUT_MM)
+        raster = Raster(surface, cutter, lines, level[lines])
+        _Level(raster, active[lines], above, how).write(writer)
+        stock.sweep(level, active, cutter)
+        for share, terrace_mm in _WATERLINES:
+            height_mm = level_mm + share * how.step_down_mm
+            for loop in _waterlines(allowed & (tips <= height_mm), surface, height_mm):
+                near = near_solids[surface.index_of(loop[:, :2])]
+                left = stock.over(loop, cutter) > height_mm + terrace_mm
+                for way in _ways(loop, left, near):
+                    stock.write(way, writer, cutter, how.step_down_mm)
+    return None if writer.is_empty else writer.operation("roughing", side, cutter)
+
+
+def _waterlines(within: BoolArray, surface: Surface, height_mm: float) -> list[FloatArray]:
+    """Return the closed lines (n, 3) round the nodes (nx, ny) where the cutter may go so low."""
+    found, _ = cv2.findContours(within.astype(np.uint8), cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
+    loops = []
+    for contour in found:
+        places = contour[:, 0, ::-1] * surface.step_mm + surface.first_mm
+        loops.append(np.column_stack([places, np.full(len(places), height_mm)]))
+    return loops
+
+
+def _ways(loop: FloatArray, left: BoolArray, near: BoolArray) -> list[FloatArray]:
+    """Return the smoothed pieces of a closed line (n, 3) where something is left."""
+    if not (left & near).any():
+        return []
+    kept = near & widened(np.pad(left, _BEYOND, mode="wrap"), _BEYOND)[_BEYOND:-_BEYOND]
+    if kept.all():
+        return [np.concatenate([loop, loop[:1]])]
+    gap = int(np.flatnonzero(~kept)[0])
+    return pieces_of(np.roll(loop, -gap, axis=0), np.roll(kept, -gap))
 
 
 class _Level:
@@ -75,12 +120,17 @@ class _Level:
         Its tips are those of the level.
     """
 
-    def __init__(self, raster: Raster, active: BoolArray, above_mm: float, close_mm: float) -> None:
+    def __init__(self, raster: Raster, active: BoolArray, above_mm: float, how: Roughing) -> None:
         self._raster = raster
         self._above_mm = above_mm
-        self._needed = needed_nodes(raster.tips_mm, active, close_mm)
-        self._waiting = runs_of(active)
         step_mm, radius_mm = raster.surface.step_mm, raster.cutter.radius_mm
+        self._wide = 2 * int(radius_mm / step_mm) + 1
+        self._slot_depth_mm = how.slot_mm
+        self._slot_mm = above_mm - how.slot_mm
+        # With a line more on either side, which is not cut.
+        self._reached_mm = np.full((len(active) + 2, active.shape[1]), above_mm)
+        self._needed = needed_nodes(raster.tips_mm, active, how.allowance_mm / 10)
+        self._waiting = runs_of(active)
         self._link_nodes = int(LINK_MM / step_mm)
         self._shortest = int(np.ceil(_SHORTEST_RAMP_MM / step_mm))
         spacing_mm = float(np.diff(raster.lines).max(initial=1)) * step_mm
@@ -93,11 +143,12 @@ class _Level:
         while self._waiting:
             run, forward = self._waiting.pop(0), True
             way = self._ramped(run.line, _ordered(run.start, run.end), self._above_mm)
-            writer.start(way, self._above_mm + CLEARANCE_MM)
+            writer.start(without_collinear(way), self._above_mm + CLEARANCE_MM)
             while (found := self._beside(run, forward)) is not None:
                 other, node = found
                 self._waiting.remove(other)
-                writer.go_on(self._crossing(run, other, node, forward))
+                way = self._crossing(run, other, node, forward)
+                writer.go_on(without_collinear(way))
                 run, forward = other, not forward
 
     def _beside(self, run: Run, forward: bool) -> tuple[Run, int] | None:
@@ -125,10 +176,12 @@ class _Level:
         across_mm = max(
             self._raster.link_height(run.line, other.line, (node - 1, node + 1)),
             back[-1, 2],
+            self._slot_mm,
         )
         across = np.stack([back[-1], self._raster.at(other.line, np.array([node]))[0]])
         across[:, 2] = across_mm
-        out = self._ramped(other.line, _ordered(node, there), across_mm)
+        nodes = _ordered(node, there)
+        out = self._way(other.line, nodes, self._sunk(other.line, nodes, across_mm))
         whole = self._ramped(other.line, _ordered(there, far), float(out[-1, 2]))
         return np.concatenate([back, across, out, whole])
 
@@ -141,46 +194,60 @@ class _Level:
         kept = self._needed[line, nodes]
         kept[1:] |= changes
         kept[:-1] |= changes
+        kept[1:-1] |= is_above[1:-1] & (np.abs(np.diff(heights_mm, 2)) > _SAME_MM)
         kept[[0, -1]] = True
         return without_collinear(points[kept])
 
     def _ramped(self, line: int, nodes: IntArray, from_mm: float) -> FloatArray:
         """Return a way (n, 3) along nodes, from a height in the block down to the level.
 
-        It sinks no steeper than the ramp. Where it stays above the level, it goes back and forth
-        there until it has sunk.
+        It sinks no steeper than the ramp, and no deeper than a slot where nothing is cut beside it.
+        Where it stays above the level, it goes back and forth there until it has sunk.
         """
         level = self._raster.tips_mm[line, nodes]
         if len(nodes) <= self._shortest:
             return self._way(line, nodes, level)
-        sunk = self._sinking(level, from_mm)
+        sunk = self._sunk(line, nodes, from_mm)
+        self._reached_mm[line + 1, nodes] = level
         pieces, begin = [], 0
         for above in runs_of((sunk > level + _LEAST_CUT_MM)[None]):
             first, last = above.start, min(above.end + 1, len(nodes) - 1)
             pieces.append(self._way(line, nodes[begin : last + 1], sunk[begin : last + 1]))
             stretch = slice(max(min(first, last - self._shortest), 0), last + 1)
-            pieces += self._to_and_fro(line, nodes[stretch], level[stretch], float(sunk[last]))
+            pieces += self._to_and_fro(line, nodes[stretch], level[stretch], sunk[stretch])
             begin = last + 1
         if begin < len(nodes):
             pieces.append(self._way(line, nodes[begin:], sunk[begin:]))
         return np.concatenate(pieces)
 
+    def _sunk(self, line: int, nodes: IntArray, from_mm: float) -> FloatArray:
+        """Return the heights (n,) of a first way along nodes."""
+        level, reached = self._raster.tips_mm[line, nodes], self._reached_mm[line + 1, nodes]
+        around = self._reached_mm[line : line + 3, nodes].min(axis=0)
+        sunk = self._sinking(np.maximum(level, around - self._slot_depth_mm), from_mm)
+        self._reached_mm[line + 1, nodes] = np.minimum(reached, sunk)
+        return sunk
+
     def _to_and_fro(
-        self, line: int, nodes: IntArray, level_mm: FloatArray, height_mm: float
+        self, line: int, nodes: IntArray, level_mm: FloatArray, reached_mm: FloatArray
     ) -> list[FloatArray]:
         """Return the ways from the last of the nodes back and forth, down to the level there.
 
-        In a slot that is too narrow for ramps the last of them plunges.
+        Parameters
+        ----------
+        reached_mm : (n,) float64
+            Where the cutter has been; it goes deeper by what a slot allows at most. Where the
+            nodes are too few for ramps, the last ways plunge.
         """
         pieces: list[FloatArray] = []
-        reached = np.full(len(nodes), np.inf)
         for _ in range(_MOST_TO_AND_FRO):
             for way in (_BACK, _FORTH):
-                sunk = self._sinking(level_mm[way], height_mm)
+                beside_mm = scipy.ndimage.maximum_filter1d(reached_mm, self._wide, mode="nearest")
+                allowed = np.maximum(level_mm, beside_mm - self._slot_depth_mm)
+                sunk = self._sinking(allowed[way], float(reached_mm[way][0]))
                 pieces.append(self._way(line, nodes[way], sunk))
-                reached[way] = np.minimum(reached[way], sunk)
-                height_mm = float(sunk[-1])
-            if (reached <= level_mm + _LEAST_CUT_MM).all():
+                reached_mm = np.minimum(reached_mm, sunk[way])
+            if (reached_mm <= level_mm + _LEAST_CUT_MM).all():
                 return pieces
         return [*pieces, *(self._way(line, nodes[way], level_mm[way]) for way in (_BACK, _FORTH))]
 

@@ -14,6 +14,7 @@ from insole_core.milling.edges import EDGE_STEP_MM, ways_along_edge
 from insole_core.milling.machine import FlipAxis, Machine
 from insole_core.milling.rasters import OVER_RIM, finishing
 from insole_core.milling.roughing import roughing
+from insole_core.milling.stock import Stock
 from insole_core.milling.surface import Surface, sample_surface
 from insole_core.milling.tabs import (
     OFF_EDGE_MM,
@@ -26,6 +27,8 @@ from insole_core.milling.tool_path import Operation, SideName
 from insole_core.progress import Progress
 
 _PITCH_MM = 0.25
+_BESIDE_MM = 0.5
+"""By which roughing goes farther from the solids than needed."""
 _DEEPER_MM = 4.0
 """By which the ball may fall beside the edge of an underside, where the foot side was cut free."""
 
@@ -39,7 +42,8 @@ class BlockSide:
     loops
         Of all solids, for the contour.
     rough_mm, floor_mm : (nx, ny) float32
-        Heights beside the solids to which roughing goes, and finishing and contour.
+        Heights beside the solids to which roughing goes, but for its allowance, and finishing and
+        contour.
     along_edges : (n, 3) float64 each, mm
         Ways of the contour's cutter once the walls are cut.
     """
@@ -103,18 +107,20 @@ def mill_side(
     ------
     Cancelled
     """
+    stock = Stock(side.surface, block_height_mm, machine.roughing.step_over_mm)
     rough = roughing(
         side.surface.with_floor(np.minimum(side.rough_mm, np.float32(block_height_mm))),
         machine, block_height_mm, side.name,
-        reach_mm=_reach_mm(machine), progress=progress.part(0.0, 0.5),
+        reach_mm=_reach_mm(machine), stock=stock, progress=progress.part(0.0, 0.5),
     )  # fmt: skip
     progress.step(0.5, "Finishing the surface")
     surface = side.surface.with_floor(side.floor_mm)
-    finish = finishing(surface, machine, block_height_mm, side.name)
+    finish = finishing(surface, machine, block_height_mm, side.name, stock)
     progress.step(0.8, "Cutting round the piece")
     walls = contour(
         side.loops, surface, machine, block_height_mm,
-        side=side.name, tabs=side.tabs, along_edges=side.along_edges,
+        side=side.name, tabs=side.tabs,
+        stock=stock, along_edges=side.along_edges,
     )  # fmt: skip
     return [operation for operation in (rough, finish, walls) if operation is not None]
 
@@ -146,8 +152,9 @@ def _foot_side(
     places = np.concatenate([tab_places(outermost(each), machine) for each in loops])
     tabs = tabs_of_foot_side(surface, places, tabs_begin_mm, machine)
     floor = tabs.over(surface, bottom_mm)
-    rough = np.maximum(floor, np.float32(bottom_mm + machine.contour.tab_height_mm))
-    rough += np.float32(machine.roughing.allowance_mm)
+    # What stays round the piece, which holds it till then, is cut in one step of the contour.
+    web_mm = max(machine.contour.step_down_mm - machine.roughing.allowance_mm, 0.0)
+    rough = np.maximum(floor, np.float32(bottom_mm + web_mm))
     every = tuple(loop for each in loops for loop in each)
     return BlockSide("foot side", surface, every, tabs, rough, floor)
 
@@ -173,8 +180,7 @@ def _underside(
         )
     ]
     floor = tabs.over(surface, edge - np.float32(_DEEPER_MM))
-    rough = edge + np.float32(machine.roughing.allowance_mm)
-    return BlockSide("underside", surface, tuple(loops), tabs, rough, floor, tuple(along_edges))
+    return BlockSide("underside", surface, tuple(loops), tabs, edge, floor, tuple(along_edges))
 
 
 def _nodes_below(
@@ -195,7 +201,7 @@ def _reach_mm(machine: Machine) -> float:
         machine.contour.cutter.diameter_mm - rough.cutter.radius_mm,
         machine.finishing.cutter.radius_mm * (1 + OVER_RIM) - rough.cutter.radius_mm,
     )
-    return beside + rough.step_over_mm
+    return beside + rough.step_over_mm + _BESIDE_MM
 
 
 def _sampled(

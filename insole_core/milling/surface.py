@@ -87,6 +87,10 @@ class Surface:
         """Let heights (nx, ny) of the nodes inside go on outside, each as at the nearest node."""
         return np.asarray(heights_mm.ravel()[self.nearest], np.float32)
 
+    def steps_in(self, length_mm: float) -> int:
+        """Return how many steps of the grid fit into a length, at least one."""
+        return max(int(length_mm / self.step_mm + 1e-9), 1)
+
     def with_floor(self, floor_mm: float | Float32Array) -> Surface:
         """Return the surface with other heights beside the solids: one, or that of each node."""
         floor = np.broadcast_to(np.float32(floor_mm), self.inside.shape)

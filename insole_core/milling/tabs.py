@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.milling.machine import Contour, Machine
@@ -15,6 +16,8 @@ _RIM_MM = 0.75
 """From the outline to the top of a wall."""
 _BELOW_RIM_MM = 0.6
 """By which a tab stays below that, so that the ball leaves an edge clean that slopes down."""
+_FLANK = 0.15
+"""By which a tab grows along the wall on either side, per way down."""
 OFF_EDGE_MM = 0.3
 """By which a tab begins off the edge of the underside, so that the ball leaves the edge clean."""
 
@@ -48,6 +51,27 @@ class Tabs:
         """Return the lowest heights (nx, ny) of the contour cutter's axis; -inf off the tabs."""
         within = self._near(surface, self.how.tab_length_mm / 2 + self.how.cutter.radius_mm)
         return np.where(within, self.heights_mm, np.float32(-np.inf))
+
+    def over_way(self, line_mm: FloatArray, level_mm: float, surface: Surface) -> FloatArray:
+        """Return a way (n, 2) of the contour cutter's axis at a height, and over the tabs (m, 3).
+
+        It rises and falls upright, lower down a little farther from a tab, so that there no level
+        meets what those above it have left.
+        """
+        away = scipy.spatial.distance.cdist(line_mm, self.places_mm).min(axis=1, initial=np.inf)
+        high = np.maximum(self.heights_mm[surface.index_of(line_mm)], level_mm)
+        reach = self.how.tab_length_mm / 2 + self.how.cutter.radius_mm
+        beyond = away - reach - _FLANK * (high - level_mm)
+        at = np.flatnonzero((beyond[1:] < 0) != (beyond[:-1] < 0))
+        share = (beyond[at] / (beyond[at] - beyond[at + 1]))[:, None]
+        ends = line_mm[at] * (1 - share) + line_mm[at + 1] * share
+        heights = np.where(beyond < 0, high, level_mm)
+        foot_and_top = np.stack([heights[at], heights[at + 1]], axis=1).ravel()
+        twice = np.repeat(at + 1, 2)
+        return np.insert(
+            np.column_stack([line_mm, heights]), twice,
+            np.column_stack([np.repeat(ends, 2, axis=0), foot_and_top]), axis=0,
+        )  # fmt: skip
 
     def _near(self, surface: Surface, reach_mm: float) -> BoolArray:
         marked = np.zeros(surface.inside.shape, np.uint8)

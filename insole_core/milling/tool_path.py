@@ -19,6 +19,8 @@ RAMP = 0.5
 """Fall per way, 27 degrees, at which a cutter goes into what is solid."""
 CLEARANCE_MM = 1.0
 """Above material that is known to be gone, down to which a rapid move goes."""
+PITCH_MM = 0.5
+"""Between the points of a way that is looked at point by point."""
 LINK_MM = 12.0
 """Longest way within the block from one run to another that is quicker than above it."""
 _STEEP = 3.0
@@ -178,8 +180,18 @@ def needed_nodes(heights_mm: FloatArray, active: BoolArray, most_mm: float) -> B
     return needed
 
 
+def densified(line_mm: FloatArray, pitch_mm: float = PITCH_MM) -> FloatArray:
+    """Return a polyline (n, d) with points at most a pitch apart."""
+    pieces = np.ceil(np.linalg.norm(np.diff(line_mm, axis=0), axis=1) / pitch_mm).astype(int)
+    edge = np.repeat(np.arange(len(pieces)), pieces)
+    within = np.arange(len(edge)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    share = (within / pieces[edge])[:, None]
+    return np.concatenate([line_mm[edge] * (1 - share) + line_mm[edge + 1] * share, line_mm[-1:]])
+
+
 def without_collinear(points_mm: FloatArray) -> FloatArray:
     """Leave out points (n, d) of a polyline that lie on the straight line of their neighbours."""
+    points_mm = points_mm[np.append(True, np.diff(points_mm, axis=0).any(axis=1))]
     if len(points_mm) < 3:
         return points_mm
     pieces = points_mm[1:] - points_mm[:-1]

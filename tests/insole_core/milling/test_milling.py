@@ -321,17 +321,18 @@ def test_a_machine_file_from_before_these_keys_has_the_usual_ones(tmp_path):
     assert [cutter.flute_mm for cutter in how.cutters] == [60.0, 22.0]
 
 
-@pytest.mark.parametrize(
-    ("form", "both_sides"), [({"arched": True}, True), ({"groove": True}, False)]
-)
-def test_what_is_solid_is_entered_by_ramps_and_cut_no_deeper_than_a_step(form, both_sides):
-    how = machine("grbl")
-    plan = plan_milling([solid(**form)], BLOCK_MM, how, both_sides=both_sides)
+@pytest.mark.parametrize(("form", "both_sides"), [("arched", True), ("groove", False)])
+def test_every_move_stays_within_step_down_width_and_flutes_and_none_falls_into_solid(
+    form, both_sides
+):
+    plan = plan_milling([solid(**{form: True})], BLOCK_MM, machine("grbl"), both_sides=both_sides)
     for moves in moves_of(plan):
         assert not moves.fast_plunges.any()
         assert moves.depth_mm[~moves.cuts].max() < 0.05
+        assert not moves.too_deep.any()
+        assert not moves.too_wide.any()
+        assert not moves.above_flutes.any()
         if moves.operation.name == "roughing":
-            assert not moves.too_deep(how.roughing.step_down_mm).any()
             assert moves.plunges.sum() < 5
 
 
@@ -493,6 +494,7 @@ def test_a_machine_is_kept_as_it_is(tmp_path, name):
         (("acceleration_mm_s2",), [500, 0, 500], "acceleration_mm_s2"),
         (("cutters", 0, "flute_mm"), 61.0, r"cutters\[0\].flute_mm is 61"),
         (("cutters", 0, "flute_mm"), 4.0, "roughing.step_down_mm is 6"),
+        (("roughing", "width_mm"), 2.5, "roughing.width_mm is 2.5"),
         (("texts", "header"), ["G55"], "texts.header selects G55, and the program is made for G54"),
         (("work_offset",), "G92", 'work_offset is "G92", but must be "G54", "G55"'),
         (("texts", "parking"), ["G0 Z{high}"], 'has the word "high", which no controller'),

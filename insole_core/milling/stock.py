@@ -1,0 +1,210 @@
+"""What is left of the block while it is milled, on a coarse grid: how deep a move would cut."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray, IntArray
+from insole_core.milling.drop_cutter import disc
+from insole_core.milling.machine import Cutter
+from insole_core.milling.surface import Surface
+from insole_core.milling.tool_path import (
+    CLEARANCE_MM,
+    RAMP,
+    PathWriter,
+    densified,
+    without_collinear,
+)
+
+_PITCH_MM = 0.5
+_HIGH_MM = np.float32(1e6)
+_SAME = 0.05
+"""Share of a step that is none."""
+_LONGER = 12
+"""Points to either side of one where too much would be cut: a thin one has no node on each."""
+_MOST_SAMPLES = 20_000
+_LEAST_RAMP_MM = 0.5
+"""Depth that is entered from above."""
+_MOST_LEGS = 16
+
+
+class Stock:
+    """The block on the nodes of a surface's grid, or every few of them.
+
+    Parameters
+    ----------
+    surface
+    height_mm
+        Of the block.
+    line_mm
+        Between lines of the surface's grid that must lie on nodes of the stock.
+    """
+
+    def __init__(self, surface: Surface, height_mm: float, line_mm: float) -> None:
+        line = surface.steps_in(line_mm)
+        coarsest = max(round(_PITCH_MM / surface.step_mm), 1)
+        self._every = next(n for n in range(coarsest, 0, -1) if line % n == 0)
+        self._step_mm = surface.step_mm * self._every
+        self._first_mm = surface.first_mm
+        self._shape = surface.inside.shape
+        coarse = surface.inside[:: self._every, :: self._every]
+        self._heights: Float32Array = np.full(coarse.shape, height_mm, np.float32)
+
+    def sweep(self, tips_mm: FloatArray, active: BoolArray, cutter: Cutter) -> None:
+        """Take away what a cutter meets that goes to all active nodes of the surface.
+
+        Parameters
+        ----------
+        tips_mm, active : (nx, ny)
+            Of the surface's grid.
+        """
+        every = self._every
+        tips = np.where(active, tips_mm, _HIGH_MM)[::every, ::every].astype(np.float32)
+        if cutter.shape == "flat":
+            swept = cv2.erode(
+                tips, disc(cutter.radius_mm, self._step_mm),
+                borderType=cv2.BORDER_CONSTANT, borderValue=(float(_HIGH_MM),),
+            )  # fmt: skip
+            np.minimum(self._heights, swept, out=self._heights)
+            return
+        reach = int(cutter.radius_mm / self._step_mm)
+        ring = np.pad(tips, reach, constant_values=_HIGH_MM)
+        nx, ny = tips.shape
+        for i, j, above in zip(*_under(cutter, self._step_mm), strict=True):
+            moved = ring[reach + i : reach + i + nx, reach + j : reach + j + ny]
+            np.minimum(self._heights, moved + np.float32(above), out=self._heights)
+
+    def cut(self, path_mm: FloatArray, cutter: Cutter) -> None:
+        """Take away what a cutter meets on a path (n, 3) of its tip."""
+        path = densified(path_mm, self._step_mm / 2)
+        for begin in range(0, len(path), _MOST_SAMPLES):
+            nodes, low = self._met(path[begin : begin + _MOST_SAMPLES], cutter)
+            np.minimum.at(self._heights.ravel(), nodes.ravel(), low.ravel().astype(np.float32))
+
+    def over(self, places_mm: FloatArray, cutter: Cutter, beside: float = 0.0) -> FloatArray:
+        """Return the lowest tip (n,) of a cutter at places (n, 2 or 3) that meets nothing.
+
+        Parameters
+        ----------
+        beside
+            Steps of the grid by which the cutter is taken wider: with 1 it also meets what lies
+            between two nodes.
+        """
+        wide = replace(cutter, diameter_mm=cutter.diameter_mm + 2 * beside * self._step_mm)
+        nodes, above = self._met(np.pad(places_mm[:, :2], ((0, 0), (0, 1))), wide)
+        return np.asarray((self._heights.ravel()[nodes] - above).max(axis=1), float)
+
+    def free_tips(self, cutter: Cutter) -> FloatArray:
+        """Return the lowest tips (nx, ny) that meet nothing, at the nodes of the surface's grid."""
+        i, j, above = _under(cutter, self._step_mm)
+        reach = int(cutter.radius_mm / self._step_mm)
+        ring = np.pad(self._heights, reach, mode="edge")
+        nx, ny = self._heights.shape
+        tips = np.full((nx, ny), -np.inf, np.float32)
+        for a, b, height in zip(i + reach, j + reach, above, strict=True):
+            np.maximum(tips, ring[a : a + nx, b : b + ny] - np.float32(height), out=tips)
+        whole = tips.repeat(self._every, axis=0).repeat(self._every, axis=1)
+        return np.asarray(whole[: self._shape[0], : self._shape[1]], float)
+
+    def write(
+        self,
+        way_mm: FloatArray,
+        writer: PathWriter,
+        cutter: Cutter,
+        step_down_mm: float,
+        beside: float = 1.0,
+    ) -> None:
+        """Write a way (n, 3) of the tip after what leads to it, and take away what it meets.
+
+        Parameters
+        ----------
+        beside
+            Of `over`, for the rapid move to its beginning: 0 beside a wall that is finished.
+        """
+        top_mm = self.over(way_mm, cutter)
+        for way in _layers(way_mm, top_mm, step_down_mm):
+            begin = way[:1]
+            whole = entered(way, float(self.over(way, cutter).max()))
+            clear_mm = float(self.over(begin, cutter, beside)[0]) + 2 * CLEARANCE_MM
+            writer.start(without_collinear(whole), clear_mm)
+            self.cut(way, cutter)
+
+    def _met(self, path_mm: FloatArray, cutter: Cutter) -> tuple[IntArray, FloatArray]:
+        """Return the nodes (n, k) under a cutter along a path, and its heights over them.
+
+        Nodes beyond the grid are those at its edge.
+        """
+        i, j, above = _under(cutter, self._step_mm)
+        middle = np.rint((path_mm[:, :2] - self._first_mm) / self._step_mm).astype(int)
+        nx, ny = self._heights.shape
+        a = np.clip(middle[:, :1] + i, 0, nx - 1)
+        b = np.clip(middle[:, 1:] + j, 0, ny - 1)
+        return a * ny + b, path_mm[:, 2:] + above
+
+
+def _under(cutter: Cutter, step_mm: float) -> tuple[IntArray, IntArray, FloatArray]:
+    """Return the offsets (k,) of nodes under a cutter, and its heights there above its tip."""
+    i, j = np.nonzero(disc(cutter.radius_mm, step_mm))
+    reach = int(cutter.radius_mm / step_mm)
+    i, j = i - reach, j - reach
+    if cutter.shape == "flat":
+        return i, j, np.zeros(len(i))
+    across2 = (i * i + j * j) * step_mm**2
+    return i, j, cutter.radius_mm - np.sqrt(np.maximum(cutter.radius_mm**2 - across2, 0))
+
+
+def _layers(way_mm: FloatArray, top_mm: FloatArray, step_down_mm: float) -> list[FloatArray]:
+    """Return ways (n, 3) that lead to a way of the tip with no cut deeper than a step.
+
+    Those before the last one lie above it, where there is more than a step to take away.
+
+    Parameters
+    ----------
+    top_mm : (n,) float64
+        Lowest tip that meets nothing.
+    """
+    depth = top_mm - way_mm[:, 2]
+    count = int(np.ceil(depth.max() / step_down_mm - _SAME))
+    ways: list[FloatArray] = []
+    for above in range(count - 1, 0, -1):
+        raised = way_mm + np.array([0.0, 0.0, above * step_down_mm])
+        ways += pieces_of(raised, widened(depth > (above + _SAME) * step_down_mm, _LONGER))
+    return [*ways, way_mm]
+
+
+def widened(kept: BoolArray, by: int) -> BoolArray:
+    """Return points (n,) of a way with those that are next to them."""
+    return np.asarray(cv2.dilate(kept.astype(np.uint8)[None], np.ones((1, 2 * by + 1)))[0] > 0)
+
+
+def pieces_of(way_mm: FloatArray, kept: BoolArray) -> list[FloatArray]:
+    """Return the pieces of a way (n, d) with more than one of the points that are kept."""
+    edges = np.diff(np.pad(kept.astype(np.int8), 1))
+    starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
+    return [way_mm[a:b] for a, b in zip(starts, ends, strict=True) if b - a > 1]
+
+
+def entered(way_mm: FloatArray, from_mm: float) -> FloatArray:
+    """Return a way (n, 3) that goes down from a height on ramps, to and fro at its beginning.
+
+    On ways that are too short for that it plunges.
+    """
+    depth_mm = from_mm - float(way_mm[0, 2])
+    if depth_mm < _LEAST_RAMP_MM:
+        return way_mm
+    along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(way_mm[:, :2], axis=0), axis=1)))
+    needed_mm = depth_mm / RAMP
+    end = min(int(np.searchsorted(along, needed_mm)), len(way_mm) - 1)
+    legs = int(np.ceil(needed_mm / along[end] - _SAME)) if along[end] > 0 else _MOST_LEGS + 1
+    if legs > _MOST_LEGS:
+        return way_mm
+    forth = np.arange(end + 1)
+    nodes = np.concatenate([forth[:: -1 if leg % 2 else 1] for leg in range(legs)])
+    fallen = np.cumsum(np.abs(np.diff(along[nodes], prepend=0.0))) * RAMP
+    ramp = way_mm[nodes].copy()
+    ramp[:, 2] = np.maximum(ramp[:, 2], from_mm - fallen)
+    back = way_mm[end::-1] if legs % 2 else way_mm[:0]
+    return np.concatenate([ramp, back, way_mm])
