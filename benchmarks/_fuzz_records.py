@@ -67,8 +67,8 @@ def sound_files() -> dict[str, bytes]:
     from backed_up_record import make_record
 
     from insole_core.records.author import Author
-    from insole_core.records.open import open_records
     from insole_core.records.place import RecordsPlace
+    from insole_core.records.records import open_records
 
     with tempfile.TemporaryDirectory() as name:
         empty, folder = Path(name, "empty"), Path(name, "record")
@@ -94,8 +94,8 @@ def _in_one_file(path: Path) -> None:
 def record_with_accounts() -> bytes:
     """Return such a database whose accounts are on: its administrator is ``chief``."""
     from insole_core.records.author import Author
-    from insole_core.records.open import open_records
     from insole_core.records.place import RecordsPlace
+    from insole_core.records.records import open_records
 
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

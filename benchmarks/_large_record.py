@@ -11,11 +11,11 @@ from typing import Any, Final
 from sqlalchemy import Table, insert, update
 
 from insole_core.records.audit import hash_of_line
+from insole_core.records.author import TIME_FORMAT
 from insole_core.records.database import Database
 from insole_core.records.person import new_id, new_pseudonym
 from insole_core.records.schema import FIRST_HASH, audit, audit_head, orders, persons, visits
 from insole_core.records.search_text import MOST_KEY, name_key_of, search_text_of, sort_key_of
-from insole_core.records.times import TIME_FORMAT
 
 FIRST_NAMES: Final = [
     "Anna",

@@ -23,10 +23,9 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
 from insole_core.records.captures import MESH
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.schema import audit, contents
 from insole_core.records.visit import Visit
 from insole_core.simulate.foot_model import build_foot

@@ -47,9 +47,9 @@ from insole_core.records.backup.backup_folder import (
 from insole_core.records.backup.backup_key import BackupKey, open_key
 from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import restore
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.app.doctor import Doctor
 from insole_studio.document.record_location import RecordLocation, location_of_window, settings_for

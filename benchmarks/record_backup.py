@@ -30,15 +30,14 @@ from sqlalchemy import insert, update
 from benchmarks._large_record import fill_record
 from insole_core.records import schema
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author
+from insole_core.records.author import Author, utc_now
 from insole_core.records.backup.back_up import back_up, set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import restore
 from insole_core.records.context import RecordsContext
-from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
-from insole_core.records.times import utc_now
+from insole_core.records.records import open_records
 
 GIGABYTES = float(os.environ.get("RECORD_BACKUP_GB", "1"))
 PERSONS = int(os.environ.get("RECORD_BACKUP_PERSONS", "50000"))

@@ -90,7 +90,7 @@ def measure(folder: str, sessions: str, garbage: str) -> None:
     from insole_studio.native_heap import share_one_heap
 
     share_one_heap()  # before there is a thread, as in the program
-    from insole_studio.app.garbage_collection import GarbageCollection
+    from insole_studio.app.between_events import GarbageCollection
     from insole_studio.app.scripted import ScriptedWindow
     from insole_studio.user_paths import UserPaths
 

@@ -109,7 +109,7 @@ def load_rest() -> None:
     poll = QTimer(qt)
 
     def look() -> None:
-        from insole_studio.app.preload import MODULES
+        from insole_studio.app.between_events import MODULES
 
         if sys.modules.keys() >= set(MODULES):
             poll.stop()

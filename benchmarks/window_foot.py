@@ -57,8 +57,7 @@ def measure(session: str) -> None:
     """Print the seconds until the files are read, and from then until the design has the foot."""
     from importlib import import_module
 
-    from insole_studio.app.garbage_collection import GarbageCollection
-    from insole_studio.app.preload import MODULES
+    from insole_studio.app.between_events import MODULES, GarbageCollection
     from insole_studio.app.scripted import ScriptedWindow
     from insole_studio.features.foot.presenter import READING
     from insole_studio.lean_numpy import unlist_parts_on_demand

@@ -16,11 +16,12 @@ from PySide6.QtWidgets import QApplication, QDialog, QPushButton, QWidget
 
 from insole_core.cases.case_file import read_case
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.records.visit import Visit
 from insole_core.resources import resource_path
+from insole_studio.app.key_reference import KeyHelp
 from insole_studio.app.scripted import ScriptedWindow, grab, wait_for
 from insole_studio.features.calibrate.print_dialog import PrintDialog
 from insole_studio.features.calibrate.stage import CalibrateStage
@@ -35,11 +36,10 @@ from insole_studio.features.design.devices.devices_view import DevicesView
 from insole_studio.features.design.devices.materials_dialog import MaterialsDialog
 from insole_studio.features.export.stage import ExportStage
 from insole_studio.features.import_scan.import_dialog import ImportDialog
-from insole_studio.features.records.new_patient_dialog import NewPatientDialog
+from insole_studio.features.records.patient_dialogs import NewPatientDialog
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.texts import tr
 from insole_studio.user_paths import UserPaths
-from insole_studio.widgets.key_help import KeyHelp
 
 EXAMPLE = resource_path("example/example.insole")
 PATIENCE_MS, LOOK_MS = 20_000, 50

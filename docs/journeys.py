@@ -37,7 +37,7 @@ from insole_studio.app.scripted import ScriptedWindow, wait_for
 from insole_studio.document.case_lock import take_lock
 from insole_studio.document.journal import find_recovered
 from insole_studio.features.import_scan.import_dialog import ImportDialog
-from insole_studio.features.records.new_patient_dialog import NewPatientDialog
+from insole_studio.features.records.patient_dialogs import NewPatientDialog
 from insole_studio.languages import Language
 from insole_studio.services.questions import Questions
 from insole_studio.settings import Settings, Theme, save_settings

@@ -59,8 +59,7 @@ def _virtual() -> int:
 
 
 def _scripted() -> int:
-    from insole_studio.app.scripted import ScriptedWindow
-    from insole_studio.app.scripted_answers import ScriptedAnswers
+    from insole_studio.app.scripted import ScriptedAnswers, ScriptedWindow
     from insole_studio.user_paths import UserPaths
 
     paths = UserPaths(OUTPUT / "settings.json", OUTPUT / "autosave")

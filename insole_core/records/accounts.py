@@ -22,7 +22,7 @@ from sqlalchemy import Connection, Row, delete, func, insert, select, text, upda
 from insole_core.errors import FirstPassword, InputError, NotAllowed, RecordsError
 from insole_core.records import schema
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author, Proof, Role, system_user
+from insole_core.records.author import Author, Proof, Role, system_user, utc_now
 from insole_core.records.checked_values import word_of
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase
@@ -34,7 +34,6 @@ from insole_core.records.passwords import (
 )
 from insole_core.records.rights import ACCOUNTS_ON, Right, accounts_are_on, require
 from insole_core.records.row_report import SWITCHED_OFF, SWITCHED_ON
-from insole_core.records.times import utc_now
 
 LOCK_MINUTES: Final = "lock_minutes"
 """Key of the clinic's settings: minutes without input after which a window is locked."""

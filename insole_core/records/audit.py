@@ -31,13 +31,12 @@ from sqlalchemy import (
 
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.records.author import Author, Proof
+from insole_core.records.author import Author, Proof, utc_now
 from insole_core.records.checked_values import highest, lowest
 from insole_core.records.database import Database
 from insole_core.records.rights import Right, require
 from insole_core.records.row_seals import ROW, SEALED, digests_of
 from insole_core.records.schema import FIRST_HASH, audit, audit_head
-from insole_core.records.times import utc_now
 
 Detail: TypeAlias = str | int | float | bool | None
 LONGEST_DETAIL: Final = 200

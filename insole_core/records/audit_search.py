@@ -14,10 +14,11 @@ from sqlalchemy import CompoundSelect, Connection, Select, func, select, union_a
 from insole_core.errors import RecordsError
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import SEALED_ROWS, AuditLine, AuditLog, AuditReport
+from insole_core.records.author import TIME_FORMAT
 from insole_core.records.context import RecordsContext
-from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require
 from insole_core.records.row_seals import ROW
+from insole_core.records.rows import ids_of_joined
 from insole_core.records.schema import (
     accounts,
     audit,
@@ -28,7 +29,6 @@ from insole_core.records.schema import (
     prescription_versions,
     visits,
 )
-from insole_core.records.times import TIME_FORMAT
 
 _ID: Final = re.compile(r"[0-9a-f]{8}-[0-9a-f-]{27}|[0-9a-f]{64}|age1\w{58}")
 """Of a row, the SHA-256 of a file, or the public key of backups."""

@@ -1,11 +1,18 @@
-"""Who works on the record, at which station, and how that was proven."""
+"""Who works on the record, at which station and when, with which program, and how it was proven."""
 
 from __future__ import annotations
 
 import os
 import platform
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from enum import StrEnum
+from functools import cache
+from importlib.metadata import version
+from typing import Final
+
+TIME_FORMAT: Final = "%Y-%m-%dT%H:%M:%S.%fZ"
+
 
 try:
     import pwd
@@ -80,3 +87,14 @@ def system_user() -> str:
         return _own_name()
     except (KeyError, OSError):
         return ""
+
+
+def utc_now() -> str:
+    """Return the present time as the record writes it: ``2026-11-20T10:00:00.000000Z``."""
+    return datetime.now(UTC).strftime(TIME_FORMAT)
+
+
+@cache
+def program_version() -> str:
+    """Return the version of this program."""
+    return version("insole-studio")

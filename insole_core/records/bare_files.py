@@ -17,7 +17,7 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.session_layout import MANIFEST
 from insole_core.recording.writer import write_session
 from insole_core.records.content_store import ContentStore, DamagedContent
-from insole_core.records.stored_contents import put_file
+from insole_core.records.context import put_file
 from insole_core.scans.scan_folder import part_content, scan_parts
 from insole_core.zip_archive import ZipArchive
 

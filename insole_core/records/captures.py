@@ -15,17 +15,15 @@ from insole_core.formats.file_formats import SCAN_SUFFIXES
 from insole_core.given_file import given_errors
 from insole_core.recording.session_layout import MANIFEST
 from insole_core.recording.writer import pack_session
+from insole_core.records.author import program_version, utc_now
 from insole_core.records.capture import Capture, CaptureFacts
 from insole_core.records.content_store import MOST_BYTES
-from insole_core.records.context import RecordsContext
+from insole_core.records.context import RecordsContext, put_file, refer_to
 from insole_core.records.field_checks import check_line
 from insole_core.records.person import new_id
-from insole_core.records.program_version import program_version
 from insole_core.records.record_field import Made, fields_of
 from insole_core.records.rights import Right
 from insole_core.records.schema import captures, visits
-from insole_core.records.stored_contents import put_file, refer_to
-from insole_core.records.times import utc_now
 from insole_core.records.visit import CaptureState
 
 SESSION: Final = "session"

@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 
 from sqlalchemy import Connection
 
 from insole_core.records.audit import AuditLog, Detail
-from insole_core.records.author import Author
+from insole_core.records.author import Author, utc_now
 from insole_core.records.content_store import ContentStore
-from insole_core.records.database import Database
-from insole_core.records.person_rows import locked_person, touch_person
+from insole_core.records.database import Database, upsert
 from insole_core.records.rights import Right, require
+from insole_core.records.rows import locked_person, touch_person, visit_of
+from insole_core.records.schema import contents
 from insole_core.records.visit import Visit
-from insole_core.records.visit_rows import visit_of
 
 
 @dataclass(frozen=True)
@@ -101,3 +102,29 @@ class RecordsContext:
     ) -> None:
         """Do the same as `log` for each of some subjects, at least one."""
         AuditLog.append_each(connection, self.author, action, subject_kind, subject_ids, **details)
+
+
+def refer_to(connection: Connection, sha256: str, size: int, kind: str) -> None:
+    """Write the row of a content that is stored by now, unless there is one.
+
+    Parameters
+    ----------
+    size
+        Bytes.
+    kind
+        ``mesh``, ``session``, ``file``, …: what to expect in it.
+    """
+    values = {"sha256": sha256, "size": size, "kind": kind, "created_at": utc_now()}
+    upsert(connection, contents, values)
+
+
+def put_file(store: ContentStore, path: Path) -> tuple[str, int]:
+    """Store a file; return its SHA-256 and its size in bytes.
+
+    Raises
+    ------
+    InputError, OutputError, Unreachable
+        As for `ContentStore.put`.
+    """
+    sha256 = store.put(path)
+    return sha256, store.path(sha256).stat().st_size

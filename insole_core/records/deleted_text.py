@@ -11,8 +11,8 @@ from sqlalchemy.exc import DBAPIError
 
 from insole_core.records.clinic import ERASING, write_setting
 from insole_core.records.database import Database
+from insole_core.records.migrate import forget_copies
 from insole_core.records.schema import clinic, persons, tables_of_persons
-from insole_core.records.upgrade_copy import forget_copies
 
 log = logging.getLogger(__name__)
 

@@ -25,14 +25,15 @@ from sqlalchemy import (
 )
 
 from insole_core.cases.name_words import holds_any, identifying_words
-from insole_core.records.author import Author
+from insole_core.records.author import Author, utc_now
 from insole_core.records.bare_files import BareFile, BareFiles
 from insole_core.records.captures import SESSION
 from insole_core.records.content_store import ContentStore
+from insole_core.records.context import refer_to
 from insole_core.records.marks import Erased, mark_of
 from insole_core.records.person import new_pseudonym
-from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.row_seals import ids_of_persons
+from insole_core.records.rows import ids_of_joined
 from insole_core.records.schema import (
     captures,
     contents,
@@ -46,8 +47,6 @@ from insole_core.records.schema import (
     tables_of_persons,
 )
 from insole_core.records.signing import is_as_signed, note_redaction
-from insole_core.records.stored_contents import refer_to
-from insole_core.records.times import utc_now
 from insole_core.records.traces import Traces
 from insole_core.scans.scan_folder import side_of_name
 from insole_core.solids.order_number import new_order_number

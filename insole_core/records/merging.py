@@ -11,19 +11,19 @@ from sqlalchemy import Connection, Table, func, insert, select, update
 
 from insole_core.errors import RecordsError
 from insole_core.records.audit import AuditLog
+from insole_core.records.author import utc_now
 from insole_core.records.context import RecordsContext
 from insole_core.records.marks import Merged, mark_of
 from insole_core.records.person import Person, new_id
-from insole_core.records.person_rows import (
+from insole_core.records.rights import Right
+from insole_core.records.row_seals import ids_of_persons
+from insole_core.records.rows import (
     locked_person,
     person_of,
     touch_person,
     write_search_text,
 )
-from insole_core.records.rights import Right
-from insole_core.records.row_seals import ids_of_persons
 from insole_core.records.schema import empty_value, follow_ups, merges, orders, persons, visits
-from insole_core.records.times import utc_now
 
 _MOVED: Final[Mapping[str, Table]] = {
     "visits": visits,

@@ -12,9 +12,10 @@ from sqlalchemy import Connection, Row, func, insert, select, update
 
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import Conflict, InputError
+from insole_core.records.author import utc_now
 from insole_core.records.checked_values import word_of
 from insole_core.records.clinic import setting_of, write_setting
-from insole_core.records.context import RecordsContext
+from insole_core.records.context import RecordsContext, put_file, refer_to
 from insole_core.records.field_checks import (
     check_line,
     check_name,
@@ -31,18 +32,21 @@ from insole_core.records.order import (
     OrderState,
     OrderSummary,
 )
-from insole_core.records.order_rows import (
+from insole_core.records.person import new_id
+from insole_core.records.record_field import checked_values
+from insole_core.records.rights import Right
+from insole_core.records.rows import (
     listed_orders,
+    locked_person,
     note_of_visit,
     order_is_gone,
     order_of,
     searched,
     summary_of_order,
+    touch_person,
+    visit_of,
+    write_search_text,
 )
-from insole_core.records.person import new_id
-from insole_core.records.person_rows import locked_person, touch_person, write_search_text
-from insole_core.records.record_field import checked_values
-from insole_core.records.rights import Right
 from insole_core.records.schema import (
     order_events,
     order_feet,
@@ -50,9 +54,6 @@ from insole_core.records.schema import (
     orders,
     prescription_versions,
 )
-from insole_core.records.stored_contents import put_file, refer_to
-from insole_core.records.times import utc_now
-from insole_core.records.visit_rows import visit_of
 from insole_core.solids.order_number import new_order_number
 
 _DAYS_UNTIL_DUE: Final = "days_until_due"

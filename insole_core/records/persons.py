@@ -23,6 +23,7 @@ from sqlalchemy import (
 
 from insole_core.cases.sample import SAMPLE_KEEPS_NAME, SAMPLE_PSEUDONYM
 from insole_core.errors import Conflict, InputError
+from insole_core.records.author import utc_now
 from insole_core.records.checked_values import highest
 from insole_core.records.context import RecordsContext
 from insole_core.records.merging import (
@@ -35,7 +36,9 @@ from insole_core.records.merging import (
     undo_merge,
 )
 from insole_core.records.person import Person, PersonSummary, new_pseudonym
-from insole_core.records.person_rows import (
+from insole_core.records.record_field import changed_fields, fields_of
+from insole_core.records.rights import Right
+from insole_core.records.rows import (
     PERSON_FIELDS,
     found_by,
     locked_person,
@@ -43,11 +46,8 @@ from insole_core.records.person_rows import (
     touch_person,
     write_search_text,
 )
-from insole_core.records.record_field import changed_fields, fields_of
-from insole_core.records.rights import Right
 from insole_core.records.schema import person_words, persons, visits
 from insole_core.records.search_text import search_words
-from insole_core.records.times import utc_now
 
 _LAST_CHARACTER: Final = "\U0010ffff"
 _MOST_VALUES: Final = 500

@@ -14,7 +14,8 @@ from sqlalchemy import Connection, Row, delete, func, insert, select, update
 from insole_core.errors import Conflict, InputError, RecordsError
 from insole_core.pressure.picture import MOST_PIXELS, read_picture_file
 from insole_core.records.audit import AuditLog
-from insole_core.records.context import RecordsContext
+from insole_core.records.author import utc_now
+from insole_core.records.context import RecordsContext, refer_to
 from insole_core.records.photo import (
     MOST_PHOTOS,
     Photo,
@@ -23,8 +24,6 @@ from insole_core.records.photo import (
 )
 from insole_core.records.rights import Right
 from insole_core.records.schema import visit_photos
-from insole_core.records.stored_contents import refer_to
-from insole_core.records.times import utc_now
 
 MOST_PX: Final = 2400
 """Greatest width and height of a stored photo."""

@@ -28,18 +28,16 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json
 from insole_core.json_object import JsonObject
 from insole_core.records.audit import AuditLog
+from insole_core.records.author import program_version, utc_now
 from insole_core.records.checked_values import word_of
 from insole_core.records.content_store import ContentStore
-from insole_core.records.context import RecordsContext
+from insole_core.records.context import RecordsContext, refer_to
 from insole_core.records.field_checks import check_text
 from insole_core.records.person import new_id
 from insole_core.records.prescription import Base, ScannedFoot, VersionSummary
-from insole_core.records.program_version import program_version
 from insole_core.records.rights import Right
 from insole_core.records.schema import captures, prescription_versions, visits
 from insole_core.records.signing import PRESCRIPTION, Signature, sign
-from insole_core.records.stored_contents import refer_to
-from insole_core.records.times import utc_now
 
 _VERSIONS: Final = prescription_versions.c
 _SUMMARY: Final = (

@@ -1,28 +1,59 @@
-"""An open record of the clinic."""
+"""An open record of the clinic; its database is made, or brought to the tables of this program."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import logging
+import os
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
 
+from sqlalchemy import Connection, Table, func, or_, select
+
+from insole_core.errors import InsoleError, RecordsError
+from insole_core.files.atomic import make_output_folder
+from insole_core.files.file_mode import PRIVATE_FILE
+from insole_core.files.temporary import remove
+from insole_core.files.write_errors import output_errors
 from insole_core.messages import Message
 from insole_core.records.accounts import Accounts
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.captures import Captures
-from insole_core.records.changes import ChangeFeed, Changes
-from insole_core.records.clinic import ClinicSettings
-from insole_core.records.content_store import ContentStore
+from insole_core.records.clinic import ClinicSettings, setting_of, write_setting
+from insole_core.records.content_store import IDENTITY_FILE, IDENTITY_VALUE, ContentStore
 from insole_core.records.context import RecordsContext
 from insole_core.records.database import Database
-from insole_core.records.follow_ups import FollowUps
+from insole_core.records.database_errors import DamagedDatabase
+from insole_core.records.deleted_text import finish_erasing
+from insole_core.records.migrate import SCHEMA, check_schema, keep_copy, migrate, schema_of
 from insole_core.records.orders import Orders
 from insole_core.records.persons import Persons
 from insole_core.records.photos import Photos
 from insole_core.records.place import RecordsPlace
 from insole_core.records.prescriptions import Prescriptions
-from insole_core.records.presence import Presence
-from insole_core.records.visits import Visits
+from insole_core.records.schema import (
+    audit_head,
+    clinic,
+    metadata,
+    persons,
+    prescription_versions,
+    visits,
+)
+from insole_core.records.stations import ChangeFeed, Changes, Presence
+from insole_core.records.visits import FollowUps, Visits
+
+log = logging.getLogger(__name__)
+
+_NEEDED: Final = (persons, visits, prescription_versions, clinic)
+"""Without these there is nothing to read."""
+_IS_READ_ONLY: Final = select(
+    or_(
+        func.pg_is_in_recovery(),
+        func.current_setting("default_transaction_read_only") == "on",
+    )
+)
 
 
 class Records:
@@ -113,3 +144,131 @@ class Records:
     def close(self) -> None:
         """Close all connections; the record cannot be used any more."""
         self._database.close()
+
+
+def open_records(place: RecordsPlace, who: Author) -> Records:
+    """Open the record of a place.
+
+    A local one is made if there is none. Before the tables of an older one are changed, a copy of
+    it is kept; `Records.upgrade` says where. Where it may not be written, or is damaged, it is
+    opened for reading only, as far as that goes; `Records.problem` says why.
+
+    Raises
+    ------
+    RecordsError
+        When it comes from a newer program, is damaged, has lost its database, or does not answer.
+    OutputError
+        When a new one cannot be made.
+    """
+    if place.is_local and not place.database_file.exists():
+        _check_never_there(place)
+        _make_file(place.database_file)
+    database = Database(place, problem=_why_read_only(place))
+    try:
+        if not place.is_local:
+            database.problem = _why_server_read_only(database)
+        try:
+            if not database.is_read_only:
+                _migrate(database)
+            _check_tables(database, metadata.sorted_tables)
+        except DamagedDatabase as error:
+            database.close()
+            database = Database(place, problem=error.message)
+            _check_tables(database, _NEEDED)
+        database.schema = SCHEMA
+        if not database.is_read_only:
+            _finish_erasing(database)
+        return Records(database, _content_store(database), who)
+    except BaseException:
+        database.close()
+        raise
+
+
+def _finish_erasing(database: Database) -> None:
+    """Go on where a program was stopped after it had erased somebody; the record opens anyway."""
+    try:
+        finish_erasing(database)
+    except InsoleError as error:
+        log.warning("an erasure is not finished: %s", error)
+
+
+def _migrate(database: Database) -> None:
+    """Bring the tables up to date; where that fails, no copy is left of what stays as it is."""
+    try:
+        migrate(database, keep=_keep)
+    except BaseException:
+        if database.is_sqlite and database.upgraded_from is not None:
+            remove(database.place.database_file.with_name(database.upgraded_from))
+        raise
+
+
+def _keep(database: Database, connection: Connection, found: str) -> None:
+    database.upgraded_from = keep_copy(database, connection, found)
+
+
+def _check_never_there(place: RecordsPlace) -> None:
+    """Refuse to begin an empty record beside the files of one that is gone."""
+    if (place.contents / IDENTITY_FILE).exists():
+        raise RecordsError(
+            "The database {file} is missing, but the files of the record beside it are there; "
+            "restore the record from a backup, or bring the database back to its place.",
+            file=place.database_file,
+        )
+
+
+def _make_file(path: Path) -> None:
+    """Make an empty file that only its owner may read; another program may be as quick."""
+    make_output_folder(path.parent)
+    with output_errors(path):
+        os.close(os.open(path, os.O_RDWR | os.O_CREAT, PRIVATE_FILE))
+
+
+def _why_read_only(place: RecordsPlace) -> Message | None:
+    file = place.database_file
+    if not place.is_local or (os.access(file, os.W_OK) and os.access(file.parent, os.W_OK)):
+        return None
+    return Message("{file} may only be read by you; ask for the right to write to it.", file=file)
+
+
+def _why_server_read_only(database: Database) -> Message | None:
+    """Ask a server whether it takes changes: one that stands by for another one does not."""
+    with database.reading() as connection:
+        is_read_only = connection.execute(_IS_READ_ONLY).scalar_one()
+    if not is_read_only:
+        return None
+    return Message(
+        "{place} takes no changes, as a server that stands by for another one; check the address "
+        "of the database, or ask whoever looks after it.",
+        place=database.place.name,
+    )
+
+
+def _check_tables(database: Database, tables: Sequence[Table]) -> None:
+    """Check that the database has the tables of this program, and that some can be read."""
+    name = database.place.name
+    with database.reading() as connection:
+        found = schema_of(connection)
+        check_schema(found, name)
+        if found != SCHEMA:
+            raise RecordsError(
+                "{place} comes from an older Insole Studio and cannot be brought up to date, since "
+                "it may only be read; ask for the right to write to it.",
+                place=name,
+            )
+        for table in tables:
+            connection.execute(select(table).limit(1)).first()
+
+
+def _content_store(database: Database) -> ContentStore:
+    """Return the store that belongs to a database; the first time, take the one that is there."""
+    with database.reading() as connection:
+        identity = setting_of(connection, IDENTITY_VALUE)
+    folder = database.place.contents
+    if identity is None and not database.is_read_only:
+        with database.writing() as connection:
+            connection.execute(select(audit_head).with_for_update())  # one station after the other
+            identity = setting_of(connection, IDENTITY_VALUE)
+            if identity is None:
+                identity = ContentStore(folder).identity()
+                write_setting(connection, IDENTITY_VALUE, identity)
+    return ContentStore(folder, identity)

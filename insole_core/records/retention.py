@@ -38,8 +38,8 @@ from insole_core.records.context import RecordsContext
 from insole_core.records.deleted_text import finish_erasing, note_erasing
 from insole_core.records.erasure import Eraser, is_unused
 from insole_core.records.person import new_pseudonym
-from insole_core.records.person_rows import ids_of_joined
 from insole_core.records.rights import Right, require, require_signed_in
+from insole_core.records.rows import ids_of_joined
 from insole_core.records.schema import (
     captures,
     contents,

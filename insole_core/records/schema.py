@@ -35,7 +35,6 @@ from sqlalchemy.types import TypeEngine
 
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.checked_values import check_values
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import (
     BOOKKEEPING,
     CONTENT,
@@ -58,7 +57,7 @@ from insole_core.records.marks import (
 from insole_core.records.order import Order
 from insole_core.records.person import Person
 from insole_core.records.record_field import fields_of
-from insole_core.records.visit import Visit
+from insole_core.records.visit import FollowUp, Visit
 
 metadata = MetaData(
     naming_convention={

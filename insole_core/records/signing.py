@@ -19,10 +19,9 @@ from sqlalchemy import Connection, Row, select, update
 from insole_core.errors import RecordsError
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLog
-from insole_core.records.author import Author
+from insole_core.records.author import Author, utc_now
 from insole_core.records.rights import Right, require
 from insole_core.records.schema import audit, prescription_versions
-from insole_core.records.times import utc_now
 
 SIGNED: Final = "signed"
 ERASED: Final = "erased"

@@ -24,9 +24,9 @@ from insole_core.records.capture import NOT_RECORDED, CaptureFacts
 from insole_core.records.context import RecordsContext
 from insole_core.records.marks import Erased
 from insole_core.records.person import Person
-from insole_core.records.person_rows import person_of
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.record_field import typed_fields
+from insole_core.records.rows import person_of, visit_of
 from insole_core.records.schema import (
     accounts,
     captures,
@@ -37,7 +37,6 @@ from insole_core.records.schema import (
 )
 from insole_core.records.signing import is_as_signed
 from insole_core.records.visit import Visit
-from insole_core.records.visit_rows import visit_of
 from insole_core.solids.prescription_paper import (
     Responsible,
     require_statement,

@@ -1,4 +1,4 @@
-"""A visit of a person, as a value."""
+"""A visit of a person, and what became of it or of its order, as values."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from insole_core.records.marks import DEVICE, EMPTIED, STATE, WHEN, unsealed
 from insole_core.records.person import Person, new_id
 from insole_core.records.prescription import Base
 from insole_core.records.record_field import (
+    Day,
     Line,
     Lines,
     Made,
@@ -130,3 +131,26 @@ class OpenedCase:
     bases: Mapping[Side, Base]
     person: Person
     visit: Visit
+
+
+@dataclass(frozen=True)
+class FollowUp:
+    """What a person said or showed later on.
+
+    Parameters
+    ----------
+    order_id, visit_id
+        What it is about, if it is about one of them.
+    outcome
+        In a word or two, such as "better"; `notes` say more.
+    """
+
+    person_id: str
+    on_date: Annotated[date, Day("date of the follow-up", WHEN, label="Day", is_needed=True)]
+    outcome: Annotated[str, Line("outcome", EMPTIED, label="Outcome", is_needed=True)]
+    notes: Annotated[str, Lines("notes", EMPTIED, label="Notes")] = ""
+    order_id: str | None = None
+    visit_id: str | None = None
+    id: str = field(default_factory=new_id)
+    author: str = ""
+    created_at: str = ""

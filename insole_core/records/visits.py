@@ -1,4 +1,4 @@
-"""The visits of the record."""
+"""The visits of the record, and their follow-ups."""
 
 from __future__ import annotations
 
@@ -14,16 +14,28 @@ from insole_core.errors import Conflict, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.messages import Message, joined
 from insole_core.records.audit import AuditLog
+from insole_core.records.author import utc_now
 from insole_core.records.checked_values import word_of
 from insole_core.records.context import RecordsContext
-from insole_core.records.order_rows import note_of_visit
 from insole_core.records.person import Person
-from insole_core.records.person_rows import locked_person, person_of
 from insole_core.records.prescription import Base
 from insole_core.records.prescriptions import Prescriptions
-from insole_core.records.presence import Presence
-from insole_core.records.record_field import changed_fields, fields_of, typed_fields
+from insole_core.records.record_field import (
+    changed_fields,
+    check_fields,
+    fields_of,
+    typed_fields,
+)
 from insole_core.records.rights import Right
+from insole_core.records.rows import (
+    all_visits,
+    locked_person,
+    note_of_visit,
+    person_of,
+    visit_from,
+    visit_of,
+    visit_values,
+)
 from insole_core.records.schema import (
     captures,
     follow_ups,
@@ -34,9 +46,10 @@ from insole_core.records.schema import (
     visit_photos,
     visits,
 )
-from insole_core.records.times import utc_now
-from insole_core.records.visit import CaptureState, OpenedCase, Visit, VisitSummary
-from insole_core.records.visit_rows import all_visits, visit_from, visit_of, visit_values
+from insole_core.records.stations import Presence
+from insole_core.records.visit import CaptureState, FollowUp, OpenedCase, Visit, VisitSummary
+
+_FIELDS: Final = tuple(field.name for field in fields(FollowUp))
 
 
 class Visits:
@@ -268,3 +281,38 @@ def _check_empty(connection: Connection, visit: Visit) -> None:
             day=day,
             fields=joined(filled),
         )
+
+
+class FollowUps:
+    """Adds and finds follow-ups."""
+
+    def __init__(self, context: RecordsContext) -> None:
+        self._context = context
+
+    def add(self, follow_up: FollowUp) -> FollowUp:
+        """Add a follow-up; return it as it is stored.
+
+        Raises
+        ------
+        InputError
+            When a field cannot be right.
+        RecordsError
+            When its person is gone.
+        """
+        checked = check_fields(follow_up, date.today())
+        follow_up = replace(checked, author=self._context.author.name, created_at=utc_now())
+        with self._context.writing(Right.WRITE, follow_up.person_id) as connection:
+            locked_person(connection, follow_up.person_id)
+            connection.execute(insert(follow_ups).values(vars(follow_up)))
+            self._context.log(
+                connection, "added", "follow up", follow_up.id, person=follow_up.person_id
+            )
+        return follow_up
+
+    def of_person(self, person_id: str) -> list[FollowUp]:
+        """Return the follow-ups of a person, the newest first."""
+        query = select(*(follow_ups.c[name] for name in _FIELDS))
+        query = query.where(follow_ups.c.person_id == person_id)
+        query = query.order_by(follow_ups.c.on_date.desc(), follow_ups.c.created_at.desc())
+        with self._context.reading() as connection:
+            return [FollowUp(**row._mapping) for row in connection.execute(query)]

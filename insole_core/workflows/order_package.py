@@ -35,7 +35,7 @@ from insole_core.geometry.side import Side
 from insole_core.given_file import given_errors, read_given
 from insole_core.messages import Translate
 from insole_core.progress import SILENT, Progress
-from insole_core.records.program_version import program_version
+from insole_core.records.author import program_version
 from insole_core.solids.checks import Override
 from insole_core.solids.order import Part
 from insole_core.solids.shop import Shop

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from insole_core.geometry.side import Side
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
-from insole_studio.widgets.fields_dialog import Field
+from insole_studio.widgets.form_parts import Field
 
 
 class CannedQuestions:

@@ -27,7 +27,7 @@ from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.records import open as open_module
+from insole_core.records import records as open_module
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage

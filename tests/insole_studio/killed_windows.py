@@ -32,13 +32,12 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.records.visit import Visit
+from insole_studio.app.between_events import MODULES, GarbageCollection
 from insole_studio.app.bootstrap import Application, build_application, qt_application
-from insole_studio.app.garbage_collection import GarbageCollection
-from insole_studio.app.preload import MODULES
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.settings import Settings, save_settings

@@ -10,8 +10,8 @@ import pytest
 from insole_core.errors import InputError, Unreachable
 from insole_core.messages import Message
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_studio import log_file
 from insole_studio.acquisition.sensor_errors import SensorError, translating
 from insole_studio.cli.main import run

@@ -16,7 +16,7 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_studio.cli.main import command_parser
 from insole_studio.features.export.order_form import OrderForm, Stock
-from insole_studio.services.file_kinds import mesh_kinds, scan_kinds, surface_kinds
+from insole_studio.services.files import mesh_kinds, scan_kinds, surface_kinds
 
 SOLIDS = [form.ending for form in SOLID_FORMATS]
 

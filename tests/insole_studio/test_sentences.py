@@ -38,11 +38,10 @@ from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.order import Order
 from insole_core.records.person import Person
 from insole_core.records.record_field import fields_of, typed_fields
-from insole_core.records.visit import Visit
+from insole_core.records.visit import FollowUp, Visit
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.sensing.disparity import LinearInverseDisparity
@@ -214,7 +213,8 @@ def told_to_programmers(tree: ast.AST) -> Iterator[ast.AST]:
         if isinstance(node, ast.Call):
             name = getattr(node.func, "id", "")
             owner = getattr(getattr(node.func, "value", None), "id", "")
-            if (hasattr(builtins, name) and name.endswith("Error")) or owner in ("log", "re"):
+            is_error = hasattr(builtins, name) and name.endswith("Error")
+            if is_error or name == "text" or owner in ("log", "re"):  # text() holds SQL
                 yield from node.args
 
 
@@ -230,7 +230,6 @@ def in_prose() -> list[Path]:
     papers = {CORE / name for name in PAPERS}
     acquisition = [path for path in trees() if STUDIO / "acquisition" in path.parents]
     papers |= set((CORE / "records" / "migrations").rglob("*.py"))  # which speak SQL
-    papers.add(CORE / "records" / "upgrade_copy.py")
     papers |= {CORE / "records" / name for name in ("marks.py", "schema.py")}  # reasons to keep
     return [path for path in trees() if CORE in path.parents and path not in papers] + acquisition
 

@@ -7,8 +7,7 @@ from functools import partial
 from typing import Any, TypeVar
 
 from insole_studio.app.features import Features
-from insole_studio.app.window_actions import WINDOW_ACTIONS
-from insole_studio.app.window_feature import WindowFeature
+from insole_studio.app.window_actions import WINDOW_ACTIONS, WindowFeature
 from insole_studio.features.calibrate.actions import CALIBRATE_ACTIONS
 from insole_studio.features.capture.actions import CAPTURE_ACTIONS
 from insole_studio.features.case_files.actions import CASE_FILE_ACTIONS

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from insole_studio.widgets.screen_room import fit_to_screen
-from insole_studio.widgets.typed_text import commit_typed_text
+from insole_studio.widgets.text_fields import commit_typed_text
 
 _USER_TURNS = (
     QEvent.Type.MouseButtonPress,

@@ -23,46 +23,41 @@ from insole_studio.acquisition.warm_up import WARM_UP_FILE
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.appearance import Appearance
 from insole_studio.app.application_events import ApplicationEvents
+from insole_studio.app.between_events import GarbageCollection, Preload
 from insole_studio.app.crash_reports import CrashReports
 from insole_studio.app.features import Features, make_features
-from insole_studio.app.garbage_collection import GarbageCollection
-from insole_studio.app.graphics import share_contexts
+from insole_studio.app.graphics import can_draw, prepare_software_rendering, share_contexts
 from insole_studio.app.help_actions import HelpActions
 from insole_studio.app.key_reference import key_sections
 from insole_studio.app.main_controller import MainController
 from insole_studio.app.main_window import MainWindow
-from insole_studio.app.preload import Preload
-from insole_studio.app.software_rendering import can_draw, prepare_software_rendering
 from insole_studio.app.status_bar import StatusBar
 from insole_studio.app.theme import apply_theme
-from insole_studio.app.window_feature import WindowFeature
+from insole_studio.app.window_actions import WindowFeature
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.document.erased_leftovers import ErasedLeftovers
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import RecordKeeper
 from insole_studio.document.record_location import RecordLocation
-from insole_studio.document.record_maintenance import RecordMaintenance
+from insole_studio.document.record_maintenance import ErasedLeftovers, RecordMaintenance
 from insole_studio.features.design.design import make_design_stage
 from insole_studio.features.design.pad_menu import pad_menu
 from insole_studio.features.design.stage import DesignStage
 from insole_studio.jobs import Jobs
 from insole_studio.log_file import log_to
 from insole_studio.native_heap import return_freed_memory
-from insole_studio.services.app_services import AppServices
-from insole_studio.services.color_scheme import is_dark
-from insole_studio.services.last_folders import LastFolders
+from insole_studio.services.app_services import AppServices, is_dark
+from insole_studio.services.files import LastFolders, RecentFiles
 from insole_studio.services.notices import Notices
-from insole_studio.services.recent_files import RecentFiles
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import Settings, load_settings
 from insole_studio.stop_signals import STOP_SIGNALS, is_switched_off
 from insole_studio.texts import load_language
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.screen_room import bounded
-from insole_studio.widgets.typed_text import commit_typed_text
+from insole_studio.widgets.text_fields import commit_typed_text
 
 DEFAULT_SIZE = (1366, 768)
 SIGNAL_POLL_MS = 200

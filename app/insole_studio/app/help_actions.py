@@ -1,21 +1,26 @@
-"""The actions of the Help menu, and F1."""
+"""The actions of the Help menu and F1, and what they show: the computer examined, the licences."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from functools import partial
 from html import escape
-from importlib.metadata import version
+from importlib.metadata import Distribution, distributions, version
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from shiboken6 import isValid
 
 from insole_core.errors import InputError, InsoleError
+from insole_core.resources import resource_path
 from insole_studio.acquisition.examined_sensors import examine_sensors
-from insole_studio.app.doctor_dialog import DoctorDialog
+from insole_studio.app.doctor import Diagnosis, Doctor, FindSensors, report_lines
 from insole_studio.app.features import Features
-from insole_studio.app.licences import Licence, licence_text, licences
+from insole_studio.app.graphics import examine_graphics
+from insole_studio.app.key_reference import KeyHelp, Line
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.manual_pages import (
     FIRST_PAGE,
@@ -29,11 +34,128 @@ from insole_studio.app.text_dialog import TextDialog
 from insole_studio.app.tour_stops import tour_stops
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.other_programs import open_file
-from insole_studio.texts import language_code, tr
-from insole_studio.widgets.key_help import KeyHelp, Line
+from insole_studio.texts import language_code, tr, translate_core_message
 from insole_studio.widgets.tour import Tour
 
+CHANNEL = "doctor"
+LIST = "licences/licences.json"
+_NAMES = ("licen", "copying", "notice")
 TOUR_NOTICE = "tour"
+
+
+class DoctorDialog(TextDialog):
+    """What may keep the program from working here, and a sentence of advice for each."""
+
+    def __init__(self, services: AppServices, find_sensors: FindSensors, parent: QWidget) -> None:
+        title = tr("Examine this computer")
+        super().__init__(title, "insole-studio-doctor.txt", services.messages, parent)
+        self._services = services
+        self._find_sensors = find_sensors
+        self.again = self.add_button(tr("Examine again"), self.examine)
+        self.buttons.insertWidget(0, self.again)
+
+    def examine(self) -> None:
+        """Examine the computer and show what is found."""
+        self._enable(examined=False)
+        self.show_html(f"<p>{escape(tr('Examining…'))}</p>", "")
+        graphics = examine_graphics(QGuiApplication.platformName())
+        doctor = Doctor(
+            self._services.paths, graphics, self._find_sensors, self._services.clinic.location
+        )
+        self._services.jobs.start(
+            CHANNEL, lambda _progress: doctor.examine(), self._show, self._show_failure
+        )
+
+    def _show(self, found: list[Diagnosis]) -> None:
+        if not isValid(self):  # closed meanwhile
+            return
+        lines = report_lines(found, translate_core_message)
+        self.show_html("".join(map(_paragraph, found)), "\n".join(lines) + "\n")
+        self._enable(examined=True)
+
+    def _show_failure(self, error: Exception) -> None:
+        if not isValid(self):
+            return
+        self._enable(examined=True)
+        self._services.messages.show_error(error, self)
+
+    def _enable(self, *, examined: bool) -> None:
+        for button in (self.copy, self.save, self.again):
+            button.setEnabled(examined)
+
+
+def _paragraph(diagnosis: Diagnosis) -> str:
+    said = (translate_core_message(text) for text in (diagnosis.topic, diagnosis.state))
+    topic, state = map(escape, said)
+    advice = escape(translate_core_message(diagnosis.advice))
+    if not advice:
+        return f"<p>✓ <b>{topic}</b>: {state}</p>"
+    return f"<p>⚠ <b>{topic}</b>: {state}<br/>→ {advice}</p>"
+
+
+@dataclass(frozen=True)
+class Licence:
+    """A component and its licence.
+
+    Parameters
+    ----------
+    licence
+        Its short name; empty where the component does not give it.
+    text
+        In full; empty where the component brings none.
+    """
+
+    name: str
+    version: str
+    licence: str
+    text: str
+
+
+def licences() -> tuple[list[Licence], str]:
+    """Return the licences, by name, and how Qt is replaced.
+
+    Returns
+    -------
+    tuple of list and str
+        The text is empty in an installation from the sources, where Qt is a package like others.
+    """
+    try:
+        path = resource_path(LIST)
+    except FileNotFoundError:
+        found = {dist.name.lower(): _of_package(dist) for dist in distributions() if dist.name}
+        return [found[name] for name in sorted(found)], ""
+    listed = json.loads(path.read_text(encoding="utf-8"))
+    parts = [
+        Licence(
+            part["name"],
+            part["version"],
+            part["licence"],
+            "\n\n".join(f"{text['name']}\n\n{text['text']}" for text in part["texts"]),
+        )
+        for part in listed["components"]
+    ]
+    own = listed["program"]
+    program = Licence(own["name"], own["version"], own["licence"], own["text"])
+    return [program, *parts], listed["replacing_qt"]
+
+
+def licence_text(found: list[Licence], replacing_qt: str) -> str:
+    """Return a list of all, how Qt is replaced, and the texts in full."""
+    lines = [f"{part.name} {part.version}: {part.licence or '?'}" for part in found]
+    texts = [f"{part.name} {part.version}\n\n{part.text}" for part in found if part.text]
+    return ("\n\n" + "=" * 72 + "\n\n").join(filter(None, ("\n".join(lines), replacing_qt, *texts)))
+
+
+def _of_package(dist: Distribution) -> Licence:
+    meta = dist.metadata.json
+    texts = [
+        file.read_text()
+        for file in dist.files or ()
+        if file.parts[0].endswith(".dist-info")
+        and any(word in file.name.lower() for word in _NAMES)
+    ]
+    short = str(meta.get("license_expression") or meta.get("license") or "").split("\n")[0]
+    return Licence(dist.name, dist.version, short, "\n\n".join(texts))
 
 
 class HelpActions(QObject):

@@ -12,17 +12,17 @@ from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError
 from insole_studio.app.actions import ACTIONS, Run, bind_actions
 from insole_studio.app.features import Features
-from insole_studio.app.window_feature import WindowFeature
+from insole_studio.app.window_actions import WindowFeature
 from insole_studio.app.workflow_steps import session_of, steps_of
 from insole_studio.document.autosave import Autosave
-from insole_studio.document.case_name import title_of, whose
+from insole_studio.document.case_names import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.clinic.actions import OF_ACCOUNTS
 from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.typed_text import commit_typed_text
+from insole_studio.widgets.text_fields import commit_typed_text
 
 SCANNING = ("open_session", "open_archive", "capture")
 """Actions that bring a foot, which belongs to a visit."""

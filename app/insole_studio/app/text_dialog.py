@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QTextBrowser, Q
 
 from insole_core.errors import InsoleError
 from insole_core.files.atomic import write_text
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
 

@@ -1,17 +1,17 @@
-"""Actions of the window itself: theme, language, help."""
+"""The window's own feature, appearance and help, and its actions."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
+from insole_studio.app.appearance import Appearance
+from insole_studio.app.help_actions import HelpActions
+from insole_studio.app.main_window import MainWindow
 from insole_studio.languages import LANGUAGES, Language
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.texts import tr
-
-if TYPE_CHECKING:
-    from insole_studio.app.window_feature import WindowFeature
 
 
 def _language(key: Language, text: Callable[[], str]) -> ActionRecord[WindowFeature]:
@@ -112,3 +112,12 @@ WINDOW_ACTIONS: tuple[ActionRecord[WindowFeature], ...] = (
         lambda main, _on: main.help.show_about(),
     ),
 )
+
+
+@dataclass(frozen=True, eq=False)
+class WindowFeature:
+    """The main window, its appearance and its help."""
+
+    window: MainWindow
+    appearance: Appearance
+    help: HelpActions

@@ -26,9 +26,8 @@ from insole_core.records.author import Author
 from insole_core.records.backup.back_up import back_up, set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.restore import restore
-from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.compare_case import (
@@ -44,8 +43,7 @@ from insole_studio.acquisition.messages import Sensors, Start
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.app.recorded_session import record_simulated
-from insole_studio.app.scripted import ScriptedWindow
-from insole_studio.app.scripted_answers import ScriptedAnswers
+from insole_studio.app.scripted import ScriptedAnswers, ScriptedWindow
 from insole_studio.cli.time_limit import time_limit
 from insole_studio.user_paths import UserPaths
 

@@ -32,7 +32,7 @@ from insole_studio.document.journal import (
     remove_files,
     write_journal,
 )
-from insole_studio.document.unkept_visit import UnkeptVisit
+from insole_studio.document.kept_visit import UnkeptVisit
 from insole_studio.jobs import Jobs
 
 log = logging.getLogger(__name__)

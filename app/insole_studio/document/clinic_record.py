@@ -363,7 +363,7 @@ def _not_open() -> InsoleError:
 
 
 def _open(location: RecordLocation) -> _Opened:
-    from insole_core.records.open import open_records
+    from insole_core.records.records import open_records
 
     records = open_records(location.place(), Author.of_user())
     try:

@@ -29,7 +29,7 @@ from insole_core.messages import Message
 from insole_core.strict_json import MOST_BYTES
 from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_core.zip_archive import ZipArchive
-from insole_studio.document.unkept_visit import UnkeptVisit
+from insole_studio.document.kept_visit import UnkeptVisit
 
 log = logging.getLogger(__name__)
 

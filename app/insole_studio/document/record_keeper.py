@@ -15,8 +15,7 @@ from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
-from insole_studio.document.kept_visit import KeptVisit
-from insole_studio.document.unkept_visit import UnkeptVisit
+from insole_studio.document.kept_visit import KeptVisit, UnkeptVisit
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:

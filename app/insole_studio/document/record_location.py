@@ -15,7 +15,7 @@ from insole_studio.user_paths import SETTINGS_GROUP, UserPaths
 
 if TYPE_CHECKING:
     from insole_core.messages import Message
-    from insole_core.records.backup.manifest import SavedFile
+    from insole_core.records.backup.snapshot import SavedFile
     from insole_core.records.place import RecordsPlace
 
 

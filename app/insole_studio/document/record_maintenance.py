@@ -1,25 +1,212 @@
-"""What the window does for the record by itself: files that nobody needs, or that must go."""
+"""Files that nobody needs or that must go: what the window clears by itself, and of the erased."""
 
 from __future__ import annotations
 
+import json
 import logging
+import shutil
+import uuid
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from datetime import date
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InputError, InsoleError
+from insole_core.files.atomic import make_output_folder, replacing_file
+from insole_core.files.temporary import is_temporary
+from insole_core.files.write_errors import output_errors
+from insole_core.forgiving_json import rename_unreadable
+from insole_core.json_object import JsonObject
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.document.erased_leftovers import ErasedLeftovers
+from insole_studio.document.journal import Recovered, find_recovered, remove_files
+from insole_studio.document.waiting_work import forget_visits
+from insole_studio.settings import Settings, folder_names
+from insole_studio.user_paths import UserPaths, is_older
 
 if TYPE_CHECKING:
     from insole_core.records.content_store import SweptContents
     from insole_core.records.records import Records
+    from insole_core.records.retention import Erasure, ErasureReason
+    from insole_core.records.traces import Traces
 
 log = logging.getLogger(__name__)
-
-SWEEP, FORGET = "record-sweep", "record-forget"
+_UNUSED_S = 86_400.0
+"""Age from which a note of somebody who is not erased is of an erasure that was refused."""
+SWEEP, _FORGET = "record-sweep", "record-forget"
 LOOK_MS = 5 * 60 * 1000
+
+
+@dataclass(frozen=True)
+class _Note:
+    path: Path
+    person_id: str
+    traces: Traces
+
+
+class ErasedLeftovers:
+    """Erases persons, and removes what this computer holds of them, also after a crash.
+
+    Parameters
+    ----------
+    settings
+        Of the window; None for a command.
+    forgotten
+        Called when names of files were taken out of the settings.
+    """
+
+    def __init__(
+        self,
+        paths: UserPaths,
+        settings: Settings | None = None,
+        forgotten: Callable[[], object] = bool,
+    ) -> None:
+        self._paths = paths
+        self._settings = settings
+        self._forgotten = forgotten
+
+    @property
+    def are_noted(self) -> bool:
+        """Whether there may be something to remove."""
+        return next(self._paths.erasures_folder.glob("*.json"), None) is not None
+
+    def erase(
+        self, records: Records, person_id: str, reason: ErasureReason, today: date
+    ) -> Erasure:
+        """Erase a person from the record, as `erase_person`, with a note of what is to follow.
+
+        Raises
+        ------
+        NotAllowed, RecordsError, OutputError
+        """
+        from insole_core.records.retention import erase_person
+
+        def note(traces: Traces) -> None:
+            folder = self._paths.erasures_folder
+            make_output_folder(folder)
+            with replacing_file(folder / f"{uuid.uuid4().hex}.json") as beside:
+                content = {"person": person_id, **traces.to_json()}
+                beside.write_text(json.dumps(content), encoding="utf-8", newline="\n")
+
+        return erase_person(records.context, person_id, reason, today, note=note)
+
+    def erased(self, records: Records) -> dict[str, bool]:
+        """Return of those who are noted, and whom the record knows, whether they are erased.
+
+        Raises
+        ------
+        RecordsError
+        """
+        from insole_core.records.retention import are_erased
+
+        noted = [note.person_id for note in self._notes()]
+        return are_erased(records.context, noted) if noted else {}
+
+    def forget(self, erased: dict[str, bool]) -> None:
+        """Remove what is left of them, and then the notes; those of other records stay.
+
+        Raises
+        ------
+        OutputError
+            When the settings cannot be written; the notes stay.
+        """
+        for note in self._notes():
+            if erased.get(note.person_id):
+                forget_leftovers(note.traces, self._paths, self._settings)
+                remove_files(note.path)
+                self._forgotten()
+            elif note.person_id in erased and is_older(note.path, _UNUSED_S):
+                remove_files(note.path)
+
+    def _notes(self) -> Iterator[_Note]:
+        for path in sorted(self._paths.erasures_folder.glob("*.json")):
+            try:
+                yield _read(path)
+            except InputError as error:
+                log.warning("a note of an erasure cannot be read: %s", error)
+                rename_unreadable(path)
+
+
+def forget_leftovers(traces: Traces, paths: UserPaths, settings: Settings | None = None) -> None:
+    """Remove unsaved work, copies of captures and papers, and names of files and folders.
+
+    What another window is writing is its own: it is dropped when that hands it over to the record.
+
+    Parameters
+    ----------
+    settings
+        Of this window, which writes them again; None for a command.
+
+    Raises
+    ------
+    OutputError
+        When the settings cannot be written.
+    """
+    for journal in find_recovered(paths.autosave_folder):
+        if _is_about(journal, traces):
+            journal.discard()
+        else:
+            journal.release()
+    for waiting in (paths.waiting_photos_folder, paths.waiting_orders_folder):
+        forget_visits(waiting, traces.visit_ids)
+    for copy in paths.fetched_folder.glob("*-????????.*"):
+        if any(capture.startswith(copy.stem[-8:]) for capture in traces.capture_ids):
+            remove_files(copy)
+    shutil.rmtree(paths.papers_folder, ignore_errors=True)  # whose they are is not known
+    if settings is not None:
+        for name, value in _nameless(vars(settings), traces).items():
+            setattr(settings, name, value)
+    stored = paths.settings_file
+    for path in sorted(stored.parent.glob(f"{stored.name}*")):  # also what was set aside as damaged
+        if path.is_file() and not is_temporary(path.name):
+            _forget_in(path, traces)
+
+
+def _forget_in(path: Path, traces: Traces) -> None:
+    """Take the name out of a file of settings; all else in it stays, also what is wrong with it."""
+    with output_errors(path):
+        text = path.read_text("utf-8", "surrogateescape")
+    try:
+        stored = json.loads(text)
+    except (ValueError, RecursionError):  # damaged: it may hold the name anywhere
+        written = traces.without(text)
+    else:
+        values = stored if isinstance(stored, dict) else {}
+        nameless = _nameless(values, traces)
+        written = json.dumps({**values, **nameless}, indent=1) if nameless else text
+    if written != text:
+        with replacing_file(path.resolve()) as beside:
+            beside.write_text(written, "utf-8", "surrogateescape", newline="\n")
+
+
+def _nameless(settings: Mapping[str, Any], traces: Traces) -> dict[str, Any]:
+    """Return those settings anew that hold the name: recent files, and folders of dialogs."""
+    nameless: dict[str, Any] = {
+        name: ""
+        for name in folder_names()
+        if isinstance(settings.get(name), str) and traces.are_in(settings[name])
+    }
+    recent = settings.get("recent")
+    if isinstance(recent, list):
+        kept = [name for name in recent if not traces.are_in(str(name))]
+        nameless |= {"recent": kept} if kept != recent else {}
+    return nameless
+
+
+def _read(path: Path) -> _Note:
+    from insole_core.records.traces import Traces
+
+    stored = JsonObject.read(path)
+    return _Note(path, stored.text("person"), Traces.from_json(stored))
+
+
+def _is_about(journal: Recovered, traces: Traces) -> bool:
+    visit = journal.visit
+    if visit is not None:
+        return visit.visit_id in traces.visit_ids
+    return traces.are_of(journal.record.patient)
 
 
 class RecordMaintenance(QObject):
@@ -59,7 +246,7 @@ class RecordMaintenance(QObject):
     def _forget(self) -> None:
         """Remove what is left of whoever is erased by now, here or before a crash."""
         if self._clinic.is_open and self._leftovers.are_noted:
-            self._clinic.ask(FORGET, self._leftovers.erased, self._forget_erased, _note_failure)
+            self._clinic.ask(_FORGET, self._leftovers.erased, self._forget_erased, _note_failure)
 
     def _forget_erased(self, erased: dict[str, bool]) -> None:
         try:

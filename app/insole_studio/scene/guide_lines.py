@@ -1,4 +1,4 @@
-"""Guide lines of a tool, drawn over a model with one text beside them."""
+"""What stands beside a model: guide lines of a tool with one text, and names."""
 
 from __future__ import annotations
 
@@ -39,3 +39,12 @@ class GuideLines:
     def axes_alone(self) -> GuideLines:
         """Return the axes without the last line (the sole's level) and the text."""
         return GuideLines(self.lines[:-1], self.place, "")
+
+
+@dataclass(frozen=True, eq=False)
+class NameLabel:
+    """A word on a coloured ground at a place (3,), mm."""
+
+    text: str
+    place_mm: FloatArray
+    color: str

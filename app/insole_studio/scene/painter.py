@@ -17,14 +17,14 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import MISSING, Coloring
 from insole_studio.scene.contour_lines import ContourLines
-from insole_studio.scene.label_layout import (
+from insole_studio.scene.name_tags import (
+    NameTags,
     is_across_view,
     is_covered,
     moved_clear,
     moved_into_image,
     moved_off,
 )
-from insole_studio.scene.name_tags import NameTags
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.view_camera import ViewTransform
 from insole_studio.texts import tr

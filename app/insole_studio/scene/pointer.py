@@ -1,14 +1,20 @@
-"""Pointer events in the foot's coordinates, so that tools depend neither on Qt nor the renderer."""
+"""Pointer events in the foot's coordinates, and gestures: a drag as one generator."""
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from dataclasses import dataclass
 from enum import Enum, auto
+from inspect import GEN_RUNNING, getgeneratorstate
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_studio.scene.view_camera import Subject, ViewTransform
+
+AnyGesture: TypeAlias = Generator[None, Any, None]
+"""A gesture in a view, or one of a panel, which receives the values of that panel."""
 
 
 class Phase(Enum):
@@ -91,3 +97,42 @@ class PointerEvent:
     def place_mm(self, z_mm: float) -> FloatArray | None:
         """Return the touched point, or beside the foot the one at the height `z_mm`."""
         return self.surface_mm if self.surface_mm is not None else self.on_level(z_mm)
+
+
+Gesture = Generator[None, PointerEvent, None]
+"""Started by the press; receives every move, and ends at the release."""
+
+
+class RunningGesture:
+    """Starts, feeds and ends one gesture at a time."""
+
+    def __init__(self) -> None:
+        self._gesture: AnyGesture | None = None
+
+    def __bool__(self) -> bool:
+        """Whether a gesture is running."""
+        return self._gesture is not None
+
+    def begin(self, gesture: AnyGesture) -> None:
+        """Run a gesture up to its first wait."""
+        self._gesture = gesture
+        next(gesture)
+
+    def send(self, event: Any) -> bool:
+        """Pass an event to the gesture; return True if that ended it."""
+        if self._gesture is None:
+            return False
+        try:
+            self._gesture.send(event)
+        except StopIteration:
+            self._gesture = None
+            return True
+        return False
+
+    def close(self) -> bool:
+        """Cancel the gesture without effect; return False if none can be cancelled."""
+        if self._gesture is None or getgeneratorstate(self._gesture) == GEN_RUNNING:
+            return False  # called from within the running gesture itself
+        self._gesture.close()
+        self._gesture = None
+        return True

@@ -9,7 +9,7 @@ import numpy as np
 from pyvista import Color
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.scene.name_label import NameLabel
+from insole_studio.scene.guide_lines import NameLabel
 from insole_studio.scene.painter import MATERIAL, polydata
 
 NAME_PX, FRAME_PX = 15, 4

@@ -6,22 +6,30 @@ import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow
 
 from insole_core.errors import OutputError
 from insole_studio.document.case import Case
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.document.erased_leftovers import ErasedLeftovers
 from insole_studio.document.record_keeper import RecordKeeper
+from insole_studio.document.record_maintenance import ErasedLeftovers
 from insole_studio.jobs import Jobs, Result, Task
-from insole_studio.services.color_scheme import is_dark
+from insole_studio.services.files import RecentFiles
 from insole_studio.services.notices import Notices
-from insole_studio.services.recent_files import RecentFiles
 from insole_studio.services.user_messages import UserMessages
-from insole_studio.settings import Settings, save_settings
+from insole_studio.settings import Settings, Theme, save_settings
 from insole_studio.user_paths import UserPaths
 
 log = logging.getLogger(__name__)
+
+
+def is_dark(theme: Theme) -> bool:
+    """Return whether the theme, or the system if the theme follows it, is dark."""
+    if theme == "system":
+        return QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
+    return theme == "dark"
 
 
 @dataclass(frozen=True, eq=False)

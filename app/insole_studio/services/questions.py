@@ -19,11 +19,10 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.geometry.side import Side
-from insole_studio.services.file_kinds import complete_name
-from insole_studio.services.last_folders import Kept, LastFolders
+from insole_studio.services.files import Kept, LastFolders, complete_name
 from insole_studio.settings import Settings
 from insole_studio.texts import tr, translate_core_message, with_capital
-from insole_studio.widgets.fields_dialog import Field, FieldsDialog
+from insole_studio.widgets.form_parts import Field, FieldsDialog
 
 
 class Answer(Enum):

@@ -9,10 +9,10 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMainWindow, QWidget
 
 from insole_core.errors import InsoleError
-from insole_studio.services.last_folders import LastFolders
+from insole_studio.services.files import LastFolders
 from insole_studio.services.questions import Questions
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.error_dialog import ErrorDialog
+from insole_studio.widgets.message_label import ErrorDialog
 
 BRIEF_MS, LONG_MS = 5_000, 15_000
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
-from insole_studio.widgets.flow import FlowRow
+from insole_studio.widgets.layouts import FlowRow
 
 
 class EmptyPage(QWidget):

@@ -1,19 +1,25 @@
-"""The legend of a colour map, in the unit of its values."""
+"""Legends: of a colour map in the unit of its values, of named colours, of the length of objects."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent
-from PySide6.QtWidgets import QWidget
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
 
 from insole_studio.scene.coloring import MISSING, Coloring
 from insole_studio.texts import localised
+from insole_studio.widgets.layouts import FlowLayout, remove_widgets
 
 BAR_PX = 140
 NUMBER_PX = 72
 SWATCH_PX = 14
 WHOLE_FROM = 100.0
 """From this value on numbers are shown without decimals."""
+_SWATCH_PX = 14
+_ROUND_LENGTHS_MM = (1, 2, 5, 10, 20, 50, 100, 200)
+LONGEST_PX = 120.0
 
 
 class Legend(QWidget):
@@ -91,3 +97,83 @@ class Legend(QWidget):
         painter.fillRect(QRectF(left, 5, SWATCH_PX, self.height() - 10), QColor(MISSING))
         text = QRectF(left + SWATCH_PX + 6, 0, self._missing_px, self.height())
         painter.drawText(text, Qt.AlignmentFlag.AlignVCenter, self._coloring.missing)
+
+
+class SwatchLegend(QWidget):
+    """Squares of colour with their names, in lines; hidden while there are none."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._layout = FlowLayout(self, margin_px=0, gap_px=16)
+        self._shown: tuple[tuple[str, str], ...] = ()
+        self.hide()
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """The names that are shown."""
+        return tuple(text for _, text in self._shown)
+
+    def show_swatches(self, swatches: Sequence[tuple[str, str]]) -> None:
+        """Show colours (as "#rrggbb") with their names; none hides the legend."""
+        if tuple(swatches) != self._shown:
+            self._shown = tuple(swatches)
+            remove_widgets(self._layout)
+            for color, text in self._shown:
+                self._layout.addWidget(_swatch(color, text))
+        self.setVisible(bool(self._shown))
+
+
+def _swatch(color: str, text: str) -> QWidget:
+    square, name, whole = QFrame(), QLabel(text), QWidget()
+    square.setFixedSize(_SWATCH_PX, _SWATCH_PX)
+    square.setStyleSheet(f"background: {color}; border: 1px solid gray;")
+    row = QHBoxLayout(whole)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(6)
+    row.addWidget(square)
+    row.addWidget(name)
+    return whole
+
+
+class ScaleBar(QWidget):
+    """The longest round length that fits, drawn to scale."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._mm_per_px = 0.0
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def show_scale(self, mm_per_px: float) -> None:
+        """Draw for another scale; 0 hides the bar."""
+        self._mm_per_px = mm_per_px
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """Return a size for bar and number."""
+        return QSize(int(LONGEST_PX) + 64, 22)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the size hint: the bar does not shrink."""
+        return self.sizeHint()
+
+    @property
+    def length_mm(self) -> int:
+        """The drawn length."""
+        longest = LONGEST_PX * self._mm_per_px
+        fitting = [length for length in _ROUND_LENGTHS_MM if length <= longest]
+        return fitting[-1] if fitting else _ROUND_LENGTHS_MM[0]
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw bar, ends and number."""
+        if self._mm_per_px <= 0:
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self.palette().windowText().color(), 1.5))
+        width, middle = self.length_mm / self._mm_per_px, self.height() / 2
+        painter.drawLine(QPointF(2, middle), QPointF(2 + width, middle))
+        for x in (2.0, 2 + width):
+            painter.drawLine(QPointF(x, middle - 4), QPointF(x, middle + 4))
+        beside = self.rect().adjusted(round(width) + 10, 0, 0, 0)
+        painter.drawText(beside, Qt.AlignmentFlag.AlignVCenter, f"{self.length_mm} mm")
+        painter.end()

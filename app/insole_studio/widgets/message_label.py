@@ -1,13 +1,14 @@
-"""Messages and progress of a stage: both widgets hide while they have nothing to show."""
+"""How messages are told: beside what they are about, or, for an error, in a dialog with details."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QProgressBar
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QLabel, QMessageBox, QProgressBar, QPushButton, QWidget
 
-from insole_studio.texts import translate_core_message, with_capital
+from insole_studio.texts import tr, translate_core_message, with_capital
 
 
 class MessageLabel(QLabel):
@@ -58,3 +59,28 @@ class ProgressBar(QProgressBar):
         self.setVisible(bool(text))
         self.setValue(round(100 * fraction))
         self.setFormat(translate_core_message(text))
+
+
+class ErrorDialog(QMessageBox):
+    """A non-modal error dialog."""
+
+    def __init__(self, sentence: str, details: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.report = f"{sentence}\n\n{details}".strip()
+        self.setWindowTitle(tr("Insole Studio"))
+        self.setIcon(QMessageBox.Icon.Warning)
+        self.setText(with_capital(sentence))
+        if details:
+            self.setDetailedText(details)
+        self.setModal(True)
+        close = self.addButton(tr("Close"), QMessageBox.ButtonRole.AcceptRole)
+        self.setDefaultButton(close)
+        self.setEscapeButton(close)
+        self._copy: QPushButton = self.addButton(tr("Copy"), QMessageBox.ButtonRole.ActionRole)
+        # A message box closes on every button, but copying must not close it.
+        self._copy.clicked.disconnect()
+        self._copy.clicked.connect(self.copy_report)
+
+    def copy_report(self) -> None:
+        """Copy sentence and details to the clipboard."""
+        QGuiApplication.clipboard().setText(self.report)

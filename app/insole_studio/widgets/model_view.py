@@ -22,16 +22,14 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.contour_lines import ContourLines
-from insole_studio.scene.guide_lines import GuideLines
-from insole_studio.scene.name_label import NameLabel
+from insole_studio.scene.guide_lines import GuideLines, NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message, with_capital
 from insole_studio.widgets.empty_page import EmptyPage
-from insole_studio.widgets.legend import Legend
-from insole_studio.widgets.scale_bar import ScaleBar
-from insole_studio.widgets.side_badge import SideBadge
+from insole_studio.widgets.legend import Legend, ScaleBar
+from insole_studio.widgets.side_switch import SideBadge
 
 MARGIN_PX = 8
 LEAST_PX = (176, 128)

@@ -19,9 +19,8 @@ from PySide6.QtWidgets import (
 
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
-from insole_studio.widgets.emptied import remove_widgets
-from insole_studio.widgets.flow import FlowLayout
 from insole_studio.widgets.icons import icon
+from insole_studio.widgets.layouts import FlowLayout, remove_widgets
 
 LEAST_PX = 640
 MOST_LINES = 2.5

@@ -1,4 +1,4 @@
-"""Making a backup of the whole record (decision 0044)."""
+"""Making backups of the whole record: when one is due, and which ones are kept (decision 0044)."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ import io
 import json
 import logging
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
@@ -22,11 +22,15 @@ from insole_core.files.temporary import is_temporary
 from insole_core.given_file import read_given
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditLog, head_of
-from insole_core.records.backup.backup_folder import BackupFolder, BackupWriter, SnapshotName
+from insole_core.records.backup.backup_folder import (
+    BackupFolder,
+    BackupWriter,
+    KnownSnapshot,
+    SnapshotName,
+)
 from insole_core.records.backup.backup_key import BackupKey
-from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
 from insole_core.records.backup.portable_rows import pieces_of, tables_of
-from insole_core.records.backup.pruning import KeepRule, superfluous
+from insole_core.records.backup.snapshot import Manifest, SavedFile, TableContent
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.content_store import ContentStore, DamagedContent
 from insole_core.records.context import RecordsContext
@@ -35,6 +39,8 @@ from insole_core.records.migrate import schema_of
 from insole_core.records.rights import Right, require
 from insole_core.records.sample_patient import count_patients
 from insole_core.records.schema import audit, contents, orders, persons, visits
+
+_ALL_OF_DAYS: Final = 30
 
 log = logging.getLogger(__name__)
 
@@ -45,6 +51,53 @@ RESTORED: Final = "restored"
 """In the audit log."""
 _MOST_SETTINGS_BYTES: Final = 2**30
 _SUBJECT: Final = "record"
+
+_DAYS_OF_WEEK = 7
+
+
+@dataclass(frozen=True)
+class KeepRule:
+    """All backups of the last days, then the last good one of each month.
+
+    Parameters
+    ----------
+    days
+        So many of the newest ones stay in any case, also if the clock says that they are old.
+    months
+        With backups, for how many one is kept; None for all.
+    """
+
+    days: int = _ALL_OF_DAYS
+    months: int | None = None
+
+
+def superfluous(
+    snapshots: Sequence[KnownSnapshot], rule: KeepRule, now: datetime
+) -> list[SnapshotName]:
+    """Return the snapshots that go by a rule; the newest good one never does.
+
+    Parameters
+    ----------
+    now
+        With its time zone.
+    """
+    newest_first = sorted(snapshots, key=lambda known: known.name.number, reverse=True)
+    since = now - timedelta(days=rule.days)
+    kept = {known.name for known in newest_first[: rule.days]}
+    kept.update(known.name for known in newest_first if known.name.made_at > since)
+    kept.update([known.name for known in newest_first if known.is_good][:1])
+    kept.update(_of_months(newest_first)[: rule.months])
+    return [known.name for known in newest_first if known.name not in kept]
+
+
+def _of_months(newest_first: Sequence[KnownSnapshot]) -> list[SnapshotName]:
+    """Return one snapshot of each month, its last good one if there is any, the newest first."""
+    chosen: dict[tuple[int, int], KnownSnapshot] = {}
+    for known in newest_first:
+        month = known.name.made_at.year, known.name.made_at.month
+        if month not in chosen or (known.is_good and not chosen[month].is_good):
+            chosen[month] = known
+    return [known.name for known in chosen.values()]
 
 
 @dataclass(frozen=True)
@@ -281,3 +334,46 @@ class _Source:
 def _files_in(folder: Path) -> list[Path]:
     found = (Path(place, name) for place, _, names in os.walk(folder) for name in names)
     return sorted(path for path in found if path.is_file() and not is_temporary(path.name))
+
+
+@dataclass(frozen=True)
+class BackupSchedule:
+    """An hour of every day, or of one day of the week, by the clock of the computer.
+
+    Parameters
+    ----------
+    weekday
+        0 for Monday to 6 for Sunday; None for every day.
+    hour
+        0 to 23.
+    """
+
+    weekday: int | None
+    hour: int
+
+    def latest(self, now: datetime) -> datetime:
+        """Return the last scheduled moment that has come.
+
+        Parameters
+        ----------
+        now
+            In the time zone of the schedule.
+        """
+        moment = now.replace(hour=self.hour, minute=0, second=0, microsecond=0)
+        if moment > now:
+            moment -= timedelta(days=1)
+        if self.weekday is not None:
+            moment -= timedelta(days=(moment.weekday() - self.weekday) % _DAYS_OF_WEEK)
+        return moment
+
+    def is_due(self, newest: datetime | None, now: datetime) -> bool:
+        """Return whether a backup has to be made, also one that was missed.
+
+        Parameters
+        ----------
+        newest
+            When the last one was made. One from the future was made by a clock that was wrong.
+        """
+        if newest is None or newest - now > timedelta(hours=1):
+            return True
+        return newest < self.latest(now)

@@ -33,9 +33,14 @@ from insole_core.records.author import Author
 from insole_core.records.backup.back_up import BACKED_UP, RESTORED
 from insole_core.records.backup.backup_folder import SnapshotName
 from insole_core.records.backup.backup_key import damaged
-from insole_core.records.backup.manifest import Manifest, SavedFile, TableContent
 from insole_core.records.backup.portable_rows import insert_pieces, replace_pieces, tables_of
-from insole_core.records.backup.snapshot import OpenedSnapshot, open_snapshot
+from insole_core.records.backup.snapshot import (
+    Manifest,
+    OpenedSnapshot,
+    SavedFile,
+    TableContent,
+    open_snapshot,
+)
 from insole_core.records.checked_values import highest
 from insole_core.records.clinic import write_setting
 from insole_core.records.content_store import IDENTITY_VALUE, ContentStore

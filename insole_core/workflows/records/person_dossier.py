@@ -14,7 +14,6 @@ from insole_core.formats.file_formats import names_nobody
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.records.capture import Capture
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import Erased
 from insole_core.records.order import Order, OrderFile
 from insole_core.records.person import Person
@@ -22,7 +21,7 @@ from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.record_field import fields_of
 from insole_core.records.records import Records
-from insole_core.records.visit import Visit
+from insole_core.records.visit import FollowUp, Visit
 from insole_core.workflows.nameless import require_nameless
 
 Value = TypeVar("Value", Visit, Order)

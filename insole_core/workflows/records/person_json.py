@@ -8,12 +8,11 @@ from datetime import date
 from typing import Any, Final
 
 from insole_core.export.shop_order import terms_to_json
+from insole_core.records.author import program_version, utc_now
 from insole_core.records.capture import Capture
 from insole_core.records.order import Order
 from insole_core.records.photo import Photo, marks_to_json
 from insole_core.records.prescription import VersionSummary
-from insole_core.records.program_version import program_version
-from insole_core.records.times import utc_now
 from insole_core.workflows.records.person_dossier import PersonDossier, VisitDossier
 
 FORMAT: Final = "insole-person"

@@ -19,14 +19,13 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.messages import Message, Translate
+from insole_core.records.author import program_version, utc_now
 from insole_core.records.capture import Capture
 from insole_core.records.order import Order
 from insole_core.records.person import Person
 from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
-from insole_core.records.program_version import program_version
 from insole_core.records.record_field import told_fields
-from insole_core.records.times import utc_now
 from insole_core.records.visit import Visit
 from insole_core.solids.checks import survey_side
 from insole_core.workflows.records.person_dossier import PersonDossier, VisitDossier

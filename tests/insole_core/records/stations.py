@@ -16,9 +16,8 @@ from insole_core.records.accounts import Account, Accounts
 from insole_core.records.author import Author, Proof, Role
 from insole_core.records.database import Database
 from insole_core.records.migrate import migrate
-from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 
 ANNA = Author("anna", "desk")
 BEN = Author("ben", "capture room")

@@ -43,12 +43,11 @@ from insole_core.records.audit import AuditLog
 from insole_core.records.author import Role
 from insole_core.records.backup import backup_folder
 from insole_core.records.backup import restore as restoring
-from insole_core.records.backup.back_up import BackupReport, back_up, set_up_backups
+from insole_core.records.backup.back_up import BackupReport, BackupSchedule, back_up, set_up_backups
 from insole_core.records.backup.backup_folder import HEAD_FILE, BackupFolder
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, WrongSecret, open_key
 from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
-from insole_core.records.backup.schedule import BackupSchedule
 from insole_core.records.backup.snapshot import open_snapshot
 from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext

@@ -10,8 +10,8 @@ from stations import ANNA, BEN, Stations
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.geometry.side import Side
-from insole_core.records import presence as presence_module
-from insole_core.records import times
+from insole_core.records import author
+from insole_core.records import stations as presence_module
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records
@@ -40,7 +40,7 @@ def test_changes_are_told_in_their_order(stations: Stations) -> None:
 
 def test_many_changes_are_told_in_part(stations: Stations, monkeypatch: pytest.MonkeyPatch) -> None:
     records = stations.open()
-    monkeypatch.setattr("insole_core.records.changes._MOST", 3)
+    monkeypatch.setattr("insole_core.records.stations._MOST", 3)
     for number in range(4):
         records.persons.add(Person(f"Anna {number}"))
     found = records.changes_since(0)
@@ -87,7 +87,7 @@ class Clock:
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
     clock = Clock()
-    monkeypatch.setattr(times, "datetime", clock)
+    monkeypatch.setattr(author, "datetime", clock)
     return clock
 
 

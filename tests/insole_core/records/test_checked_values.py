@@ -15,8 +15,8 @@ from insole_core.records import schema
 from insole_core.records.author import Author
 from insole_core.records.checked_values import day_of
 from insole_core.records.database import Database
-from insole_core.records.open import open_records
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 
 COLUMNS = [(table, column) for table in schema.metadata.sorted_tables for column in table.columns]
 

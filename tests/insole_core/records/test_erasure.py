@@ -35,18 +35,16 @@ from insole_core.records import retention, schema
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH, SESSION
 from insole_core.records.database import Database
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import Erased, Merged, mark_of
-from insole_core.records.open import open_records
+from insole_core.records.migrate import copies_of, keep_copy
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.signing import SignatureReport, verify_signatures
 from insole_core.records.statement import statement_of
-from insole_core.records.upgrade_copy import copies_of, keep_copy
 from insole_core.records.verify import verify_record
-from insole_core.records.visit import Visit
+from insole_core.records.visit import FollowUp, Visit
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera

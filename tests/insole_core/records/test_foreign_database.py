@@ -15,10 +15,9 @@ from insole_core.errors import InsoleError, NotAllowed, RecordsError
 from insole_core.records.audit import head_of
 from insole_core.records.author import Author
 from insole_core.records.context import RecordsContext
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.schema import persons, visits
 from insole_core.records.visit import Visit

@@ -22,15 +22,15 @@ from stations import ANNA, BEN, Stations
 from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.records import database as database_module
 from insole_core.records import migrate as migrate_module
-from insole_core.records import open as open_module
+from insole_core.records import records as open_module
 from insole_core.records.author import Role
 from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.database import Database
 from insole_core.records.database_errors import DamagedDatabase, FullDatabase, described
 from insole_core.records.migrate import SCHEMA, schema_of
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.records.row_report import verify_rows
 from insole_core.records.schema import metadata
 from tests.patience import PATIENCE_S
@@ -156,7 +156,7 @@ from pathlib import Path
 from alembic import command
 from insole_core.records import search_text
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
+from insole_core.records.records import open_records
 from insole_core.records.place import RecordsPlace
 
 def die(*_given):

@@ -19,11 +19,10 @@ from insole_core.geometry.side import Side
 from insole_core.records import schema
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH, SESSION
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.order import Order, OrderSearch, OrderState
 from insole_core.records.person import Person
 from insole_core.records.records import Records
-from insole_core.records.visit import CaptureState, Visit
+from insole_core.records.visit import CaptureState, FollowUp, Visit
 from insole_core.workflows.earlier_scan import on_earlier_scan
 from insole_core.workflows.starting_design import starting_device
 

@@ -13,7 +13,6 @@ from insole_core.cases.written_dates import DateOrder
 from insole_core.errors import InputError
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.person_import import (
     ImportPlan,
@@ -27,6 +26,7 @@ from insole_core.records.person_table import (
     propose_mapping,
     read_persons,
 )
+from insole_core.records.records import open_records
 from insole_core.records.text_table import read_table
 
 _TODAY = date(2026, 11, 22)

@@ -10,12 +10,11 @@ import pytest
 from stations import ANNA
 
 from insole_core.errors import Conflict, InputError, RecordsError
-from insole_core.records.duplicates import Likeness, find_duplicates
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.merging import MergePreview, NamedMerge
 from insole_core.records.person import Person, PersonSummary
+from insole_core.records.person_matching import Likeness, find_duplicates
 from insole_core.records.records import Records
-from insole_core.records.visit import Visit
+from insole_core.records.visit import FollowUp, Visit
 
 TODAY = date.today()
 

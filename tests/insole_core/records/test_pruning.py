@@ -10,11 +10,16 @@ import pytest
 from backed_up_record import ANNA, RECIPIENT, SECRET, add_person, all_rows, context_of, make_record
 
 from insole_core.records.backup import back_up as backing_up
-from insole_core.records.backup.back_up import back_up, last_backup_at, set_up_backups
+from insole_core.records.backup.back_up import (
+    KeepRule,
+    back_up,
+    last_backup_at,
+    set_up_backups,
+    superfluous,
+)
 from insole_core.records.backup.backup_folder import BackupFolder, KnownSnapshot, SnapshotName
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.check import check_backup, damaged_files
-from insole_core.records.backup.pruning import KeepRule, superfluous
 from insole_core.records.backup.restore import restore
 from insole_core.records.context import RecordsContext
 from insole_core.records.place import RecordsPlace

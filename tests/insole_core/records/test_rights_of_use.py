@@ -101,24 +101,24 @@ UNCHECKED = {
     "records/backup/back_up.py last_backup_at",
     "records/place_check.py look_at_place",
     # Ids of what has changed, so that a window notices that accounts were switched on.
-    "records/changes.py mark",
-    "records/changes.py since",
+    "records/stations.py mark",
+    "records/stations.py since",
     # Whether the record is that of a first start, or has somebody to lose.
     "records/sample_patient.py is_untouched",
     # Called by what has checked.
     "records/retention.py over_retention_named",
-    "records/upgrade_copy.py _put_back_file",
-    "records/upgrade_copy.py _put_back_schema",
+    "records/migrate.py _put_back_file",
+    "records/migrate.py _put_back_schema",
     # Before there is anybody: opening, migrating, restoring to an empty place.
     "records/records.py snapshot",
     "records/migrate.py migrate",
-    "records/open.py _why_server_read_only",
-    "records/open.py _check_tables",
-    "records/open.py _content_store",
+    "records/records.py _why_server_read_only",
+    "records/records.py _check_tables",
+    "records/records.py _content_store",
     "records/backup/restore.py _fill",
     "records/backup/restore.py _check_empty",
-    "records/upgrade_copy.py copies_of",
-    "records/upgrade_copy.py forget_copies",
+    "records/migrate.py copies_of",
+    "records/migrate.py forget_copies",
     "records/deleted_text.py finish_erasing",
 }
 """Functions that open a transaction of the database without a check of their own, and why."""

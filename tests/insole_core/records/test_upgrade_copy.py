@@ -13,17 +13,15 @@ from sqlalchemy import delete, text
 from stations import ANNA, Stations, proven
 
 from insole_core.errors import NotAllowed, OutputError, RecordsError
-from insole_core.records import upgrade_copy
+from insole_core.records import migrate
 from insole_core.records.author import Role
 from insole_core.records.database import Database
-from insole_core.records.migrate import SCHEMA, schema_of
-from insole_core.records.open import open_records
+from insole_core.records.migrate import SCHEMA, copies_of, put_back, schema_of
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.schema import clinic
-from insole_core.records.upgrade_copy import copies_of, put_back
 
 OLDER = f"{int(SCHEMA) - 1:04d}"
 
@@ -77,8 +75,8 @@ def test_a_record_that_cannot_be_copied_is_not_upgraded(
     def full(*_arguments: object) -> None:
         raise OutputError("The disk is full.")
 
-    monkeypatch.setattr(upgrade_copy, "_copy_file", full)
-    monkeypatch.setattr(upgrade_copy, "_copy_to_schema", full)
+    monkeypatch.setattr(migrate, "_copy_file", full)
+    monkeypatch.setattr(migrate, "_copy_to_schema", full)
     with pytest.raises(OutputError, match="disk is full"):
         open_records(older, ANNA)
     with closing(Database(older)) as database, database.reading() as connection:
@@ -110,7 +108,7 @@ def test_what_another_station_changes_meanwhile_is_in_what_is_kept(
         pytest.skip("a server does both in one transaction")
     with closing(open_records(older, ANNA)) as records, closing(open_records(older, ANNA)) as other:
         (copy,) = copies_of(records.context.database)
-        overwrite, coming = upgrade_copy._overwrite, [Person("Ben Ek")]
+        overwrite, coming = migrate._overwrite, [Person("Ben Ek")]
 
         def after_the_other_station(*arguments: Any) -> None:
             for person in coming:
@@ -118,7 +116,7 @@ def test_what_another_station_changes_meanwhile_is_in_what_is_kept(
             coming.clear()
             overwrite(*arguments)
 
-        monkeypatch.setattr(upgrade_copy, "_overwrite", after_the_other_station)
+        monkeypatch.setattr(migrate, "_overwrite", after_the_other_station)
         kept = put_back(records.context, copy)
         assert sorted(copies_of(records.context.database)) == sorted([copy, kept])
     with closing(sqlite3.connect(older.database_file.with_name(kept))) as database:

@@ -22,7 +22,6 @@ from insole_core.records.author import Role
 from insole_core.records.backup.back_up import set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.context import RecordsContext
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import mark_of
 from insole_core.records.person import Person
 from insole_core.records.records import Records
@@ -32,7 +31,7 @@ from insole_core.records.row_report import problems_of_rows, verify_rows
 from insole_core.records.row_seals import SEALED, digests_of
 from insole_core.records.schema import persons
 from insole_core.records.verify import verify_record
-from insole_core.records.visit import Visit
+from insole_core.records.visit import FollowUp, Visit
 
 
 @pytest.fixture

@@ -14,11 +14,10 @@ from stations import BEN, Stations
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import RecordsError
 from insole_core.records.captures import MESH
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.verify import verify_record
-from insole_core.records.visit import CaptureState, Visit
+from insole_core.records.visit import CaptureState, FollowUp, Visit
 
 DAY = date(2026, 11, 20)
 

@@ -29,7 +29,7 @@ from insole_studio.document.journal import find_recovered
 from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.user_paths import UserPaths
-from insole_studio.widgets.error_dialog import ErrorDialog
+from insole_studio.widgets.message_label import ErrorDialog
 
 LOOK_MS = 300
 HUGE = "9" * 400

@@ -9,15 +9,15 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
+from insole_core.records.records import open_records
 from insole_studio.acquisition.examined_sensors import ExaminedSensor
 from insole_studio.acquisition.sensor_errors import SensorError
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.doctor import Diagnosis, Doctor, FindSensors, report_lines
-from insole_studio.app.doctor_dialog import DoctorDialog
 from insole_studio.app.graphics import Graphics
+from insole_studio.app.help_actions import DoctorDialog
 from insole_studio.cli.main import run
 from insole_studio.user_paths import UserPaths
 from kinect_v1.models import Model

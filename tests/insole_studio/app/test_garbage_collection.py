@@ -8,8 +8,8 @@ import weakref
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
-from insole_studio.app import garbage_collection
-from insole_studio.app.garbage_collection import GarbageCollection
+from insole_studio.app import between_events
+from insole_studio.app.between_events import GarbageCollection
 
 
 class Cycle:
@@ -18,7 +18,7 @@ class Cycle:
 
 
 def test_cycles_go_with_the_timer_and_not_before(qtbot: QtBot, monkeypatch) -> None:
-    monkeypatch.setattr(garbage_collection, "INTERVAL_MS", 20)
+    monkeypatch.setattr(between_events, "INTERVAL_MS", 20)
     parent = QObject()
     GarbageCollection(parent)
     assert not gc.isenabled()
@@ -33,7 +33,7 @@ def test_cycles_go_with_the_timer_and_not_before(qtbot: QtBot, monkeypatch) -> N
 def test_what_a_case_has_left_does_not_wait_until_the_oldest_generation_is_due(
     qtbot: QtBot, monkeypatch
 ) -> None:
-    monkeypatch.setattr(garbage_collection, "INTERVAL_MS", 20)
+    monkeypatch.setattr(between_events, "INTERVAL_MS", 20)
     parent = QObject()
     garbage = GarbageCollection(parent)
     stage = Cycle()

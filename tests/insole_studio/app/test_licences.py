@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core import resources
 from insole_studio.app.bootstrap import Application
-from insole_studio.app.licences import licence_text, licences
+from insole_studio.app.help_actions import licence_text, licences
 from insole_studio.app.text_dialog import TextDialog
 
 

@@ -20,7 +20,7 @@ from insole_core.progress import Progress
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import grab_window
 from insole_studio.services.questions import Answer
-from insole_studio.widgets.error_dialog import ErrorDialog
+from insole_studio.widgets.message_label import ErrorDialog
 from tests.patience import PATIENCE_S
 
 Settle = Callable[[], None]

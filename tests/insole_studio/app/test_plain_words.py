@@ -35,7 +35,7 @@ from insole_studio.app.actions import ACTIONS
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.export.order_form import OrderForm
 from insole_studio.features.foot.view import FootStageView
-from insole_studio.widgets.fold import Fold
+from insole_studio.widgets.form_parts import Fold
 from insole_studio.widgets.number_field import NumberField
 
 FIELDS = (QAbstractSpinBox, QComboBox, QCheckBox, QLineEdit, QPlainTextEdit, QSlider)

@@ -9,17 +9,17 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from insole_studio.app import preload
+from insole_studio.app import between_events
 
 
 def test_modules_are_loaded_one_by_one_between_events(
     qapp: QApplication, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(preload, "MODULES", ("wave", "sched"))
-    for name in preload.MODULES:
+    monkeypatch.setattr(between_events, "MODULES", ("wave", "sched"))
+    for name in between_events.MODULES:
         monkeypatch.delitem(sys.modules, name, raising=False)
     owner = QObject()
-    preload.Preload(owner)
+    between_events.Preload(owner)
     assert not sys.modules.keys() & {"wave", "sched"}, "nothing is loaded before the first event"
     qtbot.waitUntil(lambda: "wave" in sys.modules)
     assert "sched" not in sys.modules
@@ -29,10 +29,10 @@ def test_modules_are_loaded_one_by_one_between_events(
 def test_a_window_that_is_closed_loads_no_more(
     qapp: QApplication, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(preload, "MODULES", ("wave",))
+    monkeypatch.setattr(between_events, "MODULES", ("wave",))
     monkeypatch.delitem(sys.modules, "wave", raising=False)
     owner = QObject()
-    preload.Preload(owner)
+    between_events.Preload(owner)
     del owner
-    qtbot.wait(3 * preload.PAUSE_MS)
+    qtbot.wait(3 * between_events.PAUSE_MS)
     assert "wave" not in sys.modules

@@ -12,10 +12,9 @@ from pathlib import Path
 import pytest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from insole_studio.app import software_rendering
+from insole_studio.app import graphics
 from insole_studio.app.bootstrap import Application
-from insole_studio.app.graphics import Graphics
-from insole_studio.app.software_rendering import MESA, OF_CARD, can_draw, prepare_software_rendering
+from insole_studio.app.graphics import MESA, OF_CARD, Graphics, can_draw, prepare_software_rendering
 from insole_studio.settings import load_settings, peek_settings
 from insole_studio.user_paths import UserPaths
 from tests.patience import PATIENCE_S
@@ -72,8 +71,8 @@ def test_nothing_more_is_offered_once_the_processor_draws(
         buttons.extend(button.text() for button in box.buttons())
         return 0
 
-    monkeypatch.setattr(software_rendering, "has_gl", lambda: True)
-    monkeypatch.setattr(software_rendering, "examine_graphics", lambda _: Graphics(version))
+    monkeypatch.setattr(graphics, "has_gl", lambda: True)
+    monkeypatch.setattr(graphics, "examine_graphics", lambda _: Graphics(version))
     monkeypatch.setattr(QMessageBox, "exec", answer)
     assert not can_draw(qapp, paths, is_software=True)
     assert sorted(buttons) == ["Quit", "Start all the same"]

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_studio.app.theme import DARK, LIGHT, Colors, apply_theme
 from insole_studio.scene.painter import Scheme
-from insole_studio.widgets.side_badge import COLORS
+from insole_studio.widgets.side_switch import COLORS
 
 TEXT, GRAPHICS = 4.5, 3.0
 THEMES = pytest.mark.parametrize("colors", [LIGHT, DARK], ids=["light", "dark"])

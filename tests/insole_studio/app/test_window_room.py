@@ -30,9 +30,9 @@ from insole_studio.jobs import JobProgress
 from insole_studio.scene.view_camera import Subject
 from insole_studio.widgets.date_field import DateField
 from insole_studio.widgets.empty_page import EmptyPage
+from insole_studio.widgets.layouts import VerticalScroll
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 SMALLEST = (683, 456)
 """A screen of 1366 × 768 at 200 % is as wide, one of 1366 × 768 at 150 % less its frame as high."""

@@ -12,10 +12,9 @@ import pytest
 
 from insole_core.errors import UsageError
 from insole_core.records.author import Author, Role
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.visit import Visit
 from insole_studio.cli.main import run
 from insole_studio.cli.records.secrets import new_password

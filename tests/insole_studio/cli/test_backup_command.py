@@ -16,9 +16,9 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.records.visit import Visit
 from insole_studio.cli.main import run
 from insole_studio.user_paths import UserPaths

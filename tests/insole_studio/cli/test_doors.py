@@ -18,10 +18,9 @@ from insole_core.records.audit import SIGNED_IN_BY
 from insole_core.records.author import Author, Role, system_user
 from insole_core.records.backup.back_up import set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_studio.cli.main import command_parser, run
 
 ROOT = Path(__file__).parents[3]

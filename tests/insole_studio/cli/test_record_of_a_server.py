@@ -15,10 +15,9 @@ from stations import proven
 
 from insole_core.records.author import Author, Role
 from insole_core.records.database import SCHEMA_TABLE
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.schema import audit, contents
 from insole_studio.app.doctor import Diagnosis, Doctor
 from insole_studio.cli.main import run

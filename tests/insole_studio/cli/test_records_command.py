@@ -14,9 +14,9 @@ from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.records.accounts import Accounts
 from insole_core.records.author import Author, Role
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.records.visit import Visit
 from insole_studio.cli.main import run
 

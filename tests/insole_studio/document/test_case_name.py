@@ -16,7 +16,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_studio.document.case import Case
-from insole_studio.document.case_name import file_stem, foot_stem
+from insole_studio.document.case_names import file_stem, foot_stem
 
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 

@@ -9,9 +9,9 @@ import pytest
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.records.traces import Traces
-from insole_studio.document.erased_leftovers import ErasedLeftovers, forget_leftovers
 from insole_studio.document.journal import Origin, find_recovered, new_journal, write_journal
-from insole_studio.document.unkept_visit import UnkeptVisit
+from insole_studio.document.kept_visit import UnkeptVisit
+from insole_studio.document.record_maintenance import ErasedLeftovers, forget_leftovers
 from insole_studio.settings import Settings, folder_names, load_settings, save_settings
 from insole_studio.user_paths import UserPaths
 

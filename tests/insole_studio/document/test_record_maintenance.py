@@ -11,14 +11,13 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.errors import RecordsError
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.records.retention import ErasureReason
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.document.erased_leftovers import ErasedLeftovers
 from insole_studio.document.record_location import RecordLocation
-from insole_studio.document.record_maintenance import SWEEP, RecordMaintenance
+from insole_studio.document.record_maintenance import SWEEP, ErasedLeftovers, RecordMaintenance
 from insole_studio.jobs import Jobs
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.user_paths import UserPaths

@@ -24,8 +24,7 @@ from insole_core.insole.elements import BrushStroke, Posting
 from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.tools.key_point_tool import shown_points
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.fold import Fold
+from insole_studio.widgets.form_parts import ComboBox, Fold
 from insole_studio.widgets.number_field import NumberField
 
 Settle = Callable[[], None]

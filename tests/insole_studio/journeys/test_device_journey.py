@@ -19,8 +19,7 @@ from insole_core.insole.prescription.shell import Shell
 from insole_core.workflows.clinic_devices import clinic_forms
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.devices.devices_view import DevicesView
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.link_label import LinkLabel
+from insole_studio.widgets.form_parts import ComboBox, LinkLabel
 from insole_studio.widgets.number_field import NumberField
 
 pytestmark = pytest.mark.slow

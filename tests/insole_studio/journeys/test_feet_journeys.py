@@ -32,7 +32,7 @@ from insole_core.workflows.open_scan import open_scan
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.side_by_side import foot_difference, insole_difference
-from insole_studio.scene.name_label import NameLabel
+from insole_studio.scene.guide_lines import NameLabel
 from insole_studio.services.questions import SameSide
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.elided_label import ElidedLabel

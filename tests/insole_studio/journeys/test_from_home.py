@@ -20,7 +20,7 @@ from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.import_scan.import_dialog import ImportDialog
-from insole_studio.features.records.new_patient_dialog import NewPatientDialog
+from insole_studio.features.records.patient_dialogs import NewPatientDialog
 from insole_studio.widgets.number_field import NumberField
 
 pytestmark = pytest.mark.slow

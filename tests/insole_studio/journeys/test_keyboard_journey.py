@@ -18,7 +18,7 @@ from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.services.questions import Questions
 from insole_studio.user_paths import UserPaths
-from insole_studio.widgets.fold import Fold
+from insole_studio.widgets.form_parts import Fold
 
 pytestmark = pytest.mark.slow
 

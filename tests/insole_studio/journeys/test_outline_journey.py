@@ -18,7 +18,7 @@ from insole_core.insole.primitives.outline_curve import evenly_spread, smoothed_
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.tools.outline_tool import curve_of
 from insole_studio.scene.scene_view import SceneView
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 pytestmark = pytest.mark.slow

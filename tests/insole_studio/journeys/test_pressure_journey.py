@@ -25,7 +25,7 @@ from insole_core.pressure.sole_print import SolePrint
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog, PressureDialog
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 Settle = Callable[[], None]

@@ -35,13 +35,12 @@ from insole_core.workflows.clinic_devices import (
 )
 from insole_core.workflows.default_device import DefaultDevice
 from insole_studio.app.bootstrap import Application
-from insole_studio.document.variants import choose_variant
+from insole_studio.document.case_names import choose_variant
 from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
-from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.number_field import NumberField, SliderField
 from insole_studio.widgets.rim_chart import RimChart
-from insole_studio.widgets.slider_field import SliderField
 from insole_studio.widgets.tab_order import tab_stops
 
 pytestmark = pytest.mark.slow

@@ -14,7 +14,7 @@ from insole_core.formats.stl import write_stl
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from tests.insole_core.insole.test_shoes import last
 
 Settle = Callable[[], None]

@@ -29,7 +29,7 @@ from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.features.design.tools.metatarsal_line import clearance
 from insole_studio.scene.scene_view import ORBIT_DEG_PER_PX, SceneView
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 pytestmark = pytest.mark.slow

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from insole_studio.scene.label_layout import (
+from insole_studio.scene.name_tags import (
     GAP_PX,
     leader_ends,
     moved_clear,

@@ -15,8 +15,13 @@ from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.features.compare.stage import CompareStage
-from insole_studio.services.file_kinds import case_kinds, complete_name, template_kinds
-from insole_studio.services.last_folders import Kept, LastFolders
+from insole_studio.services.files import (
+    Kept,
+    LastFolders,
+    case_kinds,
+    complete_name,
+    template_kinds,
+)
 from insole_studio.services.questions import Questions
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.user_paths import UserPaths

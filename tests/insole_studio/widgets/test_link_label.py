@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_studio.app.theme import DARK, LIGHT, apply_theme
-from insole_studio.widgets.link_label import LinkLabel
+from insole_studio.widgets.form_parts import LinkLabel
 
 
 def test_a_link_takes_the_colour_of_the_text_and_follows_the_theme(

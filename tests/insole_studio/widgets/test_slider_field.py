@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QStyle, QStyleOptionSlider
 from pytestqt.qtbot import QtBot
 
-from insole_studio.widgets.slider_field import SliderField
+from insole_studio.widgets.number_field import SliderField
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -106,7 +106,7 @@ def check_may_set_aside(arguments: argparse.Namespace) -> None:
     NotAllowed
     """
     from insole_core.records.author import Author
-    from insole_core.records.open import open_records
+    from insole_core.records.records import open_records
     from insole_core.records.rights import Right
 
     place = place_of(arguments)
@@ -154,7 +154,7 @@ def opened_by_nobody(arguments: argparse.Namespace) -> Iterator[Records]:
         When there is no such record; a command does not make one.
     """
     from insole_core.records.author import Author
-    from insole_core.records.open import open_records
+    from insole_core.records.records import open_records
 
     place = place_of(arguments)
     if place.is_local and not place.database_file.exists():

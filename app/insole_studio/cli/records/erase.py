@@ -30,7 +30,7 @@ def _run_erase(arguments: argparse.Namespace, progress: Progress) -> None:
     """Say what erasing means, and erase."""
     from insole_core.records.retention import ErasureReason, find_erasable
     from insole_core.records.rights import Right
-    from insole_studio.document.erased_leftovers import ErasedLeftovers
+    from insole_studio.document.record_maintenance import ErasedLeftovers
     from insole_studio.user_paths import UserPaths
 
     today, leftovers = date.today(), ErasedLeftovers(UserPaths.of_user())

@@ -84,7 +84,7 @@ def _run_migrate(arguments: argparse.Namespace, progress: Progress) -> None:
     """Make or migrate the record; one that is up to date stays as it is."""
     from insole_core.records.author import Author
     from insole_core.records.migrate import SCHEMA
-    from insole_core.records.open import open_records
+    from insole_core.records.records import open_records
 
     place = place_of(arguments)
     with closing(open_records(place, Author.of_user())) as records:
@@ -111,8 +111,8 @@ def _add_undo_upgrade_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _run_undo_upgrade(arguments: argparse.Namespace, progress: Progress) -> None:
     """List the copies, or put one back; the next start of this program upgrades it again."""
+    from insole_core.records.migrate import copies_of, put_back
     from insole_core.records.rights import Right
-    from insole_core.records.upgrade_copy import copies_of, put_back
 
     with opened(arguments, Right.SET_UP) as records:
         if arguments.copy is None:

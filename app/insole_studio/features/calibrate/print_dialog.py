@@ -28,10 +28,10 @@ from insole_core.errors import InsoleError
 from insole_core.recording.session import ReferenceSystem
 from insole_studio.features.calibrate.page_painter import PagePreview, paint_pages, write_pdf
 from insole_studio.features.calibrate.rows import BoardSize
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.texts import tr
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 

@@ -18,7 +18,7 @@ from insole_studio.features.calibrate.presenter import CalibratePresenter
 from insole_studio.features.calibrate.print_dialog import PrintDialog
 from insole_studio.features.calibrate.view import CalibrateView
 from insole_studio.jobs import Jobs
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.tab_order import StageFrame

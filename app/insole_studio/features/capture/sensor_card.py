@@ -27,7 +27,7 @@ from insole_core.geometry.arrays import ByteArray
 from insole_studio.features.capture.rows import USUAL_VIEWS, VIEWS_OF_BOTH, SensorRow
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.picture_view import PictureView
 
 _LEAST_PX, _SMALL_PX = (160, 120), (144, 108)

@@ -30,12 +30,12 @@ from insole_studio.features.capture.rows import (
 )
 from insole_studio.features.capture.sensor_card import SensorCard
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.card_grid import CardGrid
-from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.empty_page import EmptyPage
+from insole_studio.widgets.form_parts import ComboBox
+from insole_studio.widgets.layouts import CardGrid
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.side_badge import SideBadge
+from insole_studio.widgets.side_switch import SideBadge
 
 _FIND = "find"
 

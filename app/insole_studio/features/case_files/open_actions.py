@@ -21,8 +21,7 @@ from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.features.case_files.case_guard import CaseGuard, FileState
 from insole_studio.features.case_files.save_actions import SaveActions
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.file_kinds import case_kinds, scan_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept, case_kinds, scan_kinds
 from insole_studio.services.questions import InUse, SameSide
 from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr, translate_core_message

@@ -13,7 +13,7 @@ from insole_core.errors import InsoleError
 from insole_core.visible_text import visible_line
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case_lock import CaseInUseError
-from insole_studio.document.case_name import case_name
+from insole_studio.document.case_names import case_name
 from insole_studio.document.journal import Recovered
 from insole_studio.features.case_files.case_guard import CaseGuard
 from insole_studio.features.case_files.save_actions import SaveActions

@@ -10,12 +10,11 @@ from insole_core.errors import OutputError
 from insole_core.progress import Progress
 from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_studio.document.case_lock import CaseInUseError
-from insole_studio.document.case_name import case_name, file_stem
+from insole_studio.document.case_names import case_name, file_stem
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.case_files.case_guard import CaseGuard, ChangedOnDiskError, FileState
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.file_kinds import case_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept, case_kinds
 from insole_studio.services.questions import Answer, Unsaved
 from insole_studio.texts import tr
 

@@ -19,8 +19,7 @@ from insole_studio.features.clinic.password_fields import (
 )
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, mark_labels
 
 if TYPE_CHECKING:
     from insole_core.records.accounts import Account

@@ -28,9 +28,8 @@ from insole_studio.features.clinic.account_form import (
 from insole_studio.features.clinic.password_fields import PasswordFields, password_hint
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel
-from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:

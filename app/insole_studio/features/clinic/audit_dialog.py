@@ -14,8 +14,8 @@ from insole_studio.features.clinic.audit_texts import details_text
 from insole_studio.features.clinic.verifying_dialog import VerifyingDialog
 from insole_studio.jobs import Jobs
 from insole_studio.texts import moment_text, tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:

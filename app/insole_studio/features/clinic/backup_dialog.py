@@ -28,14 +28,12 @@ from insole_studio.features.clinic.backups import (
 from insole_studio.features.clinic.password_fields import PasswordFields
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.jobs import JobProgress
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import LAST_HOUR, BackupDay, BackupKeep, Settings
 from insole_studio.texts import fill, moment_text, tr
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, mark_labels, plain_button
 from insole_studio.widgets.message_label import ProgressBar
-from insole_studio.widgets.plain_button import plain_button
 
 if TYPE_CHECKING:
     from insole_core.records.backup.back_up import BackupReport

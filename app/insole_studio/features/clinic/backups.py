@@ -28,9 +28,7 @@ from insole_studio.settings import BackupDay, BackupKeep
 from insole_studio.texts import fill, tr, translate_core_message
 
 if TYPE_CHECKING:
-    from insole_core.records.backup.back_up import BackupReport
-    from insole_core.records.backup.pruning import KeepRule
-    from insole_core.records.backup.schedule import BackupSchedule
+    from insole_core.records.backup.back_up import BackupReport, BackupSchedule, KeepRule
     from insole_core.records.records import Records
 
 log = logging.getLogger(__name__)
@@ -101,7 +99,7 @@ class Backups(QObject):
     @property
     def schedule(self) -> BackupSchedule | None:
         """When they are made by themselves; None for never."""
-        from insole_core.records.backup.schedule import BackupSchedule
+        from insole_core.records.backup.back_up import BackupSchedule
 
         day = self._settings.backup_day
         if day == "never":
@@ -111,7 +109,7 @@ class Backups(QObject):
     @property
     def keep_rule(self) -> KeepRule | None:
         """Which backups stay; None for all."""
-        from insole_core.records.backup.pruning import KeepRule
+        from insole_core.records.backup.back_up import KeepRule
 
         rules = {"all": None, "months": KeepRule(), "year": KeepRule(months=MONTHS_OF_YEAR)}
         return rules[self._settings.backup_keep]

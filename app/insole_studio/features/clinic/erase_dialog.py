@@ -10,13 +10,11 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QSpinBox, QWi
 
 from insole_core.records.retention import LEAST_YEARS, YEARS_VALUE, ErasureReason
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.document.erased_leftovers import ErasedLeftovers
+from insole_studio.document.record_maintenance import ErasedLeftovers
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import fill, tr
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel
-from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:

@@ -17,8 +17,8 @@ from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
-    from insole_core.records.duplicates import Duplicate
     from insole_core.records.merging import Merge, MergePreview, NamedMerge
+    from insole_core.records.person_matching import Duplicate
     from insole_core.records.records import Records
 
 _SIZE = (920, 640)
@@ -208,7 +208,7 @@ class MergeDialog(RecordDialog):
 
 
 def _read(records: Records) -> _Shown:
-    from insole_core.records.duplicates import find_duplicates
+    from insole_core.records.person_matching import find_duplicates
     from insole_core.records.rights import Right, require
 
     with records.context.database.reading() as connection:

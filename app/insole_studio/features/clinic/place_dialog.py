@@ -23,12 +23,11 @@ from insole_studio.document.record_location import RecordLocation
 from insole_studio.features.clinic.password_fields import secret_line
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.jobs import Jobs
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel
-from insole_studio.widgets.plain_button import plain_button
 
 if TYPE_CHECKING:
     from insole_core.records.place_check import PlaceReport

@@ -18,17 +18,16 @@ from insole_studio.features.clinic.password_fields import secret_line
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.jobs import JobProgress, Result, Task
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.texts import fill, moment_text, tr, translate_core_message
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
-from insole_studio.widgets.plain_button import plain_button
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
     from insole_core.records.backup.backup_folder import SnapshotName
-    from insole_core.records.backup.manifest import Manifest
     from insole_core.records.backup.restore import RestoreReport
+    from insole_core.records.backup.snapshot import Manifest
 
 _SIZE = (640, 560)
 _LIST, _OPEN, _RESTORE = "restore-list", "restore-open", "restore"

@@ -18,7 +18,7 @@ from insole_studio.features.clinic.lock_cover import LockCover
 from insole_studio.features.clinic.sign_in_dialog import SignInDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
-from insole_studio.widgets.typed_text import commit_typed_text
+from insole_studio.widgets.text_fields import commit_typed_text
 
 _CANNOT_LEAVE = (KeepState.REFUSED, KeepState.CONFLICT)
 SECONDS_OF_MINUTE = 60

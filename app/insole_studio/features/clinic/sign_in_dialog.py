@@ -16,7 +16,7 @@ from insole_studio.features.clinic.password_fields import (
 )
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 
 _WIDTH_PX = 420

@@ -15,8 +15,7 @@ from insole_studio.features.compare.presenter import ComparePresenter
 from insole_studio.features.compare.rows import FOLDER
 from insole_studio.features.compare.view import CompareView
 from insole_studio.jobs import Jobs
-from insole_studio.services.file_kinds import mesh_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept, mesh_kinds
 from insole_studio.services.questions import Questions
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame

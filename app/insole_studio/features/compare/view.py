@@ -24,9 +24,8 @@ from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.emptied import remove_widgets
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, mark_labels
+from insole_studio.widgets.layouts import remove_widgets
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField

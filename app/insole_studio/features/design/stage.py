@@ -45,7 +45,7 @@ from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.section_chart import SectionChart
 from insole_studio.widgets.step_strip import StepStrip
-from insole_studio.widgets.typed_text import is_typing
+from insole_studio.widgets.text_fields import is_typing
 
 
 class DesignStage(QObject):

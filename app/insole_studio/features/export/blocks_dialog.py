@@ -20,10 +20,10 @@ from insole_core.errors import InputError
 from insole_core.solids.shop import Block
 from insole_core.workflows.clinic_blocks import require_names
 from insole_studio.texts import tr
+from insole_studio.widgets.form_parts import plain_button
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.plain_button import plain_button
 
 _WIDTH_PX = 620
 _NAME_PX, _LENGTH_PX, _REMOVE_PX, _GAP_PX = 200, 96, 28, 6

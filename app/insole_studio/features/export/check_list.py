@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from insole_studio.features.export.rows import TIPS, CheckRow, CheckState
 from insole_studio.texts import tr
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 LIMIT_PX = 96

@@ -29,15 +29,15 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import Package
 from insole_core.workflows.mill import clinic_machines
 from insole_core.workflows.order_package import Ordered
-from insole_studio.document.case_name import foot_stem, whose
+from insole_studio.document.case_names import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.fields_dialog import Field
+from insole_studio.widgets.form_parts import Field
 
 if TYPE_CHECKING:
     from insole_studio.features.export.stage import ExportStage

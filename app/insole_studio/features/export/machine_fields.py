@@ -25,7 +25,7 @@ from insole_core.visible_text import visible_line
 from insole_core.workflows.mill import MillingChoice
 from insole_core.workflows.print_order import PrintChoice, ZoneSource
 from insole_studio.texts import fill, tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 

@@ -33,9 +33,7 @@ from insole_studio.features.export.machine_fields import MachineFields
 from insole_studio.features.export.rows import OrderedFoot
 from insole_studio.features.export.terms_fields import TermsFields
 from insole_studio.texts import localised, tr, translate_core_message, with_capital
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.fold import Fold
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, Fold, mark_labels
 from insole_studio.widgets.number_field import NumberField
 
 _AS_TEXT = " text"

@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QWidget
 from insole_core.export.shop_order import MOST_PAIRS, OrderTerms
 from insole_core.workflows.make_order import Package
 from insole_studio.texts import tr
-from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.date_field import DateField
-from insole_studio.widgets.notes_field import NotesField
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.text_fields import NotesField
 
 
 class TermsFields(QObject):

@@ -31,10 +31,10 @@ from insole_studio.features.export.part_colors import PartColors
 from insole_studio.features.export.rows import Buttons, CheckRow, OrderedFoot
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
+from insole_studio.widgets.layouts import VerticalScroll
+from insole_studio.widgets.legend import SwatchLegend
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
-from insole_studio.widgets.swatch_legend import SwatchLegend
-from insole_studio.widgets.vertical_scroll import VerticalScroll
 
 _FORM_PX, _CHECKS_PX = 320, 376
 

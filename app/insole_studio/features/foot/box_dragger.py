@@ -10,8 +10,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.recording.box import Box
-from insole_studio.scene.gesture import Gesture, RunningGesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent, RunningGesture
 from insole_studio.scene.scene_view import OfferedItem
 from insole_studio.texts import tr
 

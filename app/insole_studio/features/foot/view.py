@@ -33,9 +33,7 @@ from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.fold import Fold
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, Fold, mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView

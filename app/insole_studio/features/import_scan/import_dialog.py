@@ -28,13 +28,11 @@ from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, mark_labels, plain_button
+from insole_studio.widgets.layouts import VerticalScroll
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
-from insole_studio.widgets.plain_button import plain_button
-from insole_studio.widgets.side_badge import COLORS
-from insole_studio.widgets.vertical_scroll import VerticalScroll
+from insole_studio.widgets.side_switch import COLORS
 
 _SIZE = (1120, 640)
 _FORM_PX = 380

@@ -9,7 +9,7 @@ from insole_core.scans.mesh_file import Unit
 from insole_core.scans.scale import KnownFootLength, KnownShoeSize, KnownSize
 from insole_studio.features.import_scan.scan_texts import unit_options
 from insole_studio.texts import tr
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 LENGTH, SHOE, DISTANCE = "length", "shoe", "distance"

@@ -17,7 +17,7 @@ from insole_core.formats.file_formats import SOLID_FORMATS
 from insole_core.progress import Progress
 from insole_core.records.order import OrderSummary
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.other_programs import open_file
 from insole_studio.texts import tr, translate_core_message
 

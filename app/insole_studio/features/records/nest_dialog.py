@@ -23,10 +23,9 @@ from insole_core.records.order import OrderState, OrderSummary
 from insole_core.solids.shop import Block
 from insole_core.workflows.mill import MillingChoice
 from insole_core.workflows.nest_orders import GAP_MM, MARGIN_MM
-from insole_studio.features.records.order_rows import name_of, state_text
+from insole_studio.features.records.rows import name_of, state_text
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 

@@ -24,9 +24,8 @@ from insole_core.workflows.order_package import Ordered
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.journal import Recovered
 from insole_studio.document.waiting_work import LeftWork, WaitingWork
-from insole_studio.features.records.order_rows import name_of, state_text
 from insole_studio.features.records.record_dialogs import OrderDialog
-from insole_studio.features.records.record_texts import day_text
+from insole_studio.features.records.rows import day_text, name_of, state_text
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 

@@ -18,7 +18,7 @@ from insole_core.records.order import Order
 from insole_core.visible_text import visible_line
 from insole_core.workflows.records.plain_name import free_folder
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.other_programs import open_file
 from insole_studio.texts import tr
 from insole_studio.user_paths import is_older

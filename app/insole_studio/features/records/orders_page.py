@@ -8,10 +8,10 @@ from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from insole_core.records.order import MOST_DAYS_UNTIL_DUE, OrderState
-from insole_studio.features.records.order_rows import state_text
+from insole_studio.features.records.rows import state_text
 from insole_studio.texts import tr
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.flow import FlowRow
+from insole_studio.widgets.form_parts import ComboBox
+from insole_studio.widgets.layouts import FlowRow
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.row_table import RowTable, TableRow
 

@@ -12,8 +12,8 @@ from insole_core.records.person import Person
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.nest_actions import NestActions
 from insole_studio.features.records.order_actions import OrderActions
-from insole_studio.features.records.order_rows import COLUMNS, order_rows, sorted_as
 from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
+from insole_studio.features.records.rows import COLUMNS, order_rows, sorted_as
 from insole_studio.texts import tr
 from insole_studio.widgets.row_table import Sorting
 

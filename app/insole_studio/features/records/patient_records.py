@@ -17,46 +17,42 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.template import Template
 from insole_core.messages import Message
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.record_field import FieldChoice, merge_fields, settle_fields, typed_fields
-from insole_core.records.visit import CaptureState, Visit, fields_of_patient
+from insole_core.records.visit import CaptureState, FollowUp, Visit, fields_of_patient
 from insole_core.visible_text import visible_line
-from insole_studio.document.case_name import case_name
+from insole_studio.document.case_names import case_name
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import PatientConflict
-from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
-from insole_studio.features.records.conflict_dialog import (
-    Choice,
-    ComparedVersion,
-    ConflictDialog,
-    chosen_foot,
+from insole_studio.features.records.earlier_visit import (
+    EarlierScan,
+    SamePrescription,
+    last_prescriptions,
 )
-from insole_studio.features.records.earlier_scan import EarlierScan
-from insole_studio.features.records.field_conflict_dialog import (
-    CollidedField,
-    FieldConflictDialog,
-    collided_fields,
-)
-from insole_studio.features.records.history_dialog import HistoryDialog
 from insole_studio.features.records.nest_actions import NestActions
-from insole_studio.features.records.new_patient_dialog import NewPatientDialog
 from insole_studio.features.records.order_actions import OrderActions
 from insole_studio.features.records.order_files import OrderFiles
 from insole_studio.features.records.orders_page import OrdersPage
 from insole_studio.features.records.orders_presenter import OrdersPresenter
+from insole_studio.features.records.patient_dialogs import ChoosePersonDialog, NewPatientDialog
 from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
 from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
-from insole_studio.features.records.record_texts import version_text
-from insole_studio.features.records.same_prescription import (
-    SamePrescription,
-    last_prescriptions,
-)
+from insole_studio.features.records.rows import version_text
 from insole_studio.features.records.sample_patient import SamplePatient
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND, StartPresenter
+from insole_studio.features.records.version_dialogs import (
+    Choice,
+    CollidedField,
+    ComparedVersion,
+    ConflictDialog,
+    FieldConflictDialog,
+    HistoryDialog,
+    chosen_foot,
+    collided_fields,
+)
 from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_photos import VisitPhotos
 from insole_studio.features.records.visit_presence import VisitPresence

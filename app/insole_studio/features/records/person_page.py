@@ -25,14 +25,15 @@ from insole_studio.features.records.rows import PictureKey, Trend, VisitRow
 from insole_studio.features.records.trend_chart import TrendChart
 from insole_studio.features.records.visit_card import VisitCard
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.elided_label import ElidedLabel
-from insole_studio.widgets.flow import FlowRow
-from insole_studio.widgets.form_labels import mark_labels
-from insole_studio.widgets.notes_field import NotesField
-from insole_studio.widgets.typed_text import forget_typed, show_unless_typing
-from insole_studio.widgets.validation_bubble import ValidationBubble
-from insole_studio.widgets.vertical_scroll import VerticalScroll
+from insole_studio.widgets.form_parts import ComboBox, mark_labels
+from insole_studio.widgets.layouts import FlowRow, VerticalScroll
+from insole_studio.widgets.text_fields import (
+    NotesField,
+    ValidationBubble,
+    forget_typed,
+    show_unless_typing,
+)
 
 FIELDS_PX = 320
 PERSON = typed_fields(Person)

@@ -25,13 +25,15 @@ from insole_core.records.record_field import (
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.records.field_conflict_dialog import AskFields, collided_fields
-from insole_studio.features.records.order_rows import order_text
 from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_form import label_of, shown_texts
-from insole_studio.features.records.record_texts import (
+from insole_studio.features.records.rows import (
+    FootLine,
+    Trend,
+    VisitRow,
     capture_text,
     mirrored_text,
+    order_text,
     prescribed_text,
     reused_scan_text,
     scan_text,
@@ -40,8 +42,8 @@ from insole_studio.features.records.record_texts import (
     visit_texts,
     visit_time_text,
 )
-from insole_studio.features.records.rows import FootLine, Trend, VisitRow
-from insole_studio.features.records.visit_pictures import VisitPictures
+from insole_studio.features.records.version_dialogs import AskFields, collided_fields
+from insole_studio.features.records.visit_card import VisitPictures
 from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:

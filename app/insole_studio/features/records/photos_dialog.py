@@ -20,9 +20,8 @@ from PySide6.QtWidgets import (
 from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.photo import MOST_LETTERS, Photo, PhotoMark
 from insole_studio.texts import tr
-from insole_studio.widgets.form_labels import mark_labels
-from insole_studio.widgets.marked_picture import Line, MarkedPicture
-from insole_studio.widgets.plain_button import plain_button
+from insole_studio.widgets.form_parts import mark_labels, plain_button
+from insole_studio.widgets.picture_view import Line, MarkedPicture
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 _SIZE = (1040, 640)

@@ -17,11 +17,9 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.errors import InputError
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.order import Order
 from insole_core.records.record_field import check_fields, typed_fields
-from insole_core.records.visit import CaptureState, Visit
-from insole_studio.features.records.order_rows import event_text
+from insole_core.records.visit import CaptureState, FollowUp, Visit
 from insole_studio.features.records.record_form import (
     label_of,
     new_editor,
@@ -30,11 +28,12 @@ from insole_studio.features.records.record_form import (
     shown_texts,
     text_in,
 )
+from insole_studio.features.records.rows import event_text
 from insole_studio.texts import tr
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import mark_labels
 from insole_studio.widgets.message_label import MessageLabel
-from insole_studio.widgets.notes_field import NotesField
 from insole_studio.widgets.row_table import RowTable, TableRow
+from insole_studio.widgets.text_fields import NotesField
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance

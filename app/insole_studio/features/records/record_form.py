@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QLineEdit, QPlainTextEdit
 
 from insole_core.records.record_field import Choice, Day, Line, Lines, Typed, typed_fields
 from insole_studio.texts import localised, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
 from insole_studio.widgets.date_field import DateField
-from insole_studio.widgets.notes_field import NotesField
+from insole_studio.widgets.form_parts import ComboBox
+from insole_studio.widgets.text_fields import NotesField
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance

@@ -8,13 +8,13 @@ from datetime import date
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QRadioButton, QVBoxLayout, QWidget
 
 from insole_core.errors import InsoleError
 from insole_core.export.csv_text import csv_text
 from insole_core.files.atomic import write_text
 from insole_core.messages import Message
 from insole_core.progress import Progress
-from insole_core.records.character_sets import Reading
 from insole_core.records.person_import import (
     ImportLine,
     ImportPlan,
@@ -31,29 +31,63 @@ from insole_core.records.person_table import (
     read_persons,
 )
 from insole_core.records.records import Records
-from insole_core.records.text_table import TextTable, UnclearCharacterSet, read_table
+from insole_core.records.text_table import Reading, TextTable, UnclearCharacterSet, read_table
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.workflows.records.import_cases import CaseLine, CasePlan, import_cases, plan_cases
 from insole_core.workflows.records.plain_name import free_folder
-from insole_studio.features.records.character_set_dialog import CharacterSetDialog
-from insole_studio.features.records.import_dialog import ImportDialog, ImportRow
-from insole_studio.features.records.person_export_dialog import PersonExportDialog
-from insole_studio.features.records.table_import_dialog import TableImportDialog
+from insole_studio.features.records.import_dialog import (
+    CharacterSetDialog,
+    ImportDialog,
+    ImportRow,
+    TableImportDialog,
+)
 from insole_studio.jobs import Result, Task
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.file_kinds import table_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept, table_kinds
 from insole_studio.texts import (
     language_code,
     tr,
     translate_core_message,
     translation_into,
 )
+from insole_studio.widgets.message_label import MessageLabel
+
+_WIDTH_PX = 480
 
 IMPORT, EXPORT = "records-import", "records-export"
 _WHICH_ORDER = Message(
     "Some dates can be read in two ways; say whether the day or the month comes first."
 )
+
+
+class PersonExportDialog(QDialog):
+    """Everything, or nothing that names or describes the patient."""
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Export patient"))
+        self.setMinimumWidth(_WIDTH_PX)
+        what = MessageLabel()
+        what.say(
+            tr(
+                "{name}: visits, prescriptions, insoles (STL), scans and orders as a folder that "
+                "opens without this program."
+            ).format(name=name)
+        )
+        self.everything = QRadioButton(tr("Everything, for the patient or another clinic"))
+        self.pseudonymous = QRadioButton(
+            tr("Without name, birth date, texts and scans, for a shop or for research")
+        )
+        self.everything.setChecked(True)
+        buttons = QDialogButtonBox()
+        buttons.addButton(tr("Choose folder…"), QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.addButton(tr("Cancel"), QDialogButtonBox.ButtonRole.RejectRole)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.setSpacing(12)
+        for widget in (what, self.everything, self.pseudonymous, buttons):
+            layout.addWidget(widget)
 
 
 @dataclass(frozen=True)

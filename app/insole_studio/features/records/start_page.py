@@ -17,12 +17,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_studio.features.records.record_texts import visit_headings
+from insole_studio.features.records.rows import visit_headings
 from insole_studio.services.person_list import person_headings
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
-from insole_studio.widgets.flow import FlowRow
 from insole_studio.widgets.icons import icon
+from insole_studio.widgets.layouts import FlowRow
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 

@@ -11,8 +11,7 @@ from insole_core.records.order import OPEN_STATES, OrderKey, OrderSearch
 from insole_core.records.person import PersonSummary
 from insole_core.records.visit import VisitSummary
 from insole_studio.document.clinic_record import ClinicRecord, RecordState
-from insole_studio.features.records.order_rows import order_rows, sorted_as
-from insole_studio.features.records.record_texts import visit_rows
+from insole_studio.features.records.rows import order_rows, sorted_as, visit_rows
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.services.person_list import COLUMNS as PERSON_COLUMNS
 from insole_studio.services.person_list import person_rows

@@ -13,8 +13,8 @@ from insole_core.geometry.side import Side
 from insole_studio.features.records.rows import Trend
 from insole_studio.texts import localised, tr
 from insole_studio.widgets.chart_ticks import chart_ticks
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.side_badge import COLORS
+from insole_studio.widgets.form_parts import ComboBox
+from insole_studio.widgets.side_switch import COLORS
 
 LEFT_PX, RIGHT_PX, TOP_PX, BOTTOM_PX = 40.0, 12.0, 10.0, 20.0
 DOT_PX = 3.0

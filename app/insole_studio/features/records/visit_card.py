@@ -1,8 +1,12 @@
-"""One visit of the time line: its day, what was prescribed, and small pictures."""
+"""One visit of the time line: its day, what was prescribed, and small pictures, made one by one."""
 
 from __future__ import annotations
 
 import html
+from collections import OrderedDict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QImage, QPixmap
@@ -16,15 +20,25 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
+from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
+from insole_core.records.prescription import VersionSummary
+from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.rows import PictureKey, VisitRow
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.message_label import MessageLabel
-from insole_studio.widgets.side_badge import side_letter
+from insole_studio.widgets.side_switch import side_letter
+
+if TYPE_CHECKING:
+    from insole_core.records.records import Records
+    from insole_core.workflows.records.thumbnails import Rgba, Thumbnails
 
 PICTURE_PX = QSize(56, 128)
 FOOT, INSOLE = "foot", "insole"
+
+CHANNEL = "records-pictures"
+_KEPT = 200
 
 
 class VisitCard(QFrame):
@@ -147,3 +161,73 @@ def _name_of(key: PictureKey) -> str:
     if key.kind == FOOT:
         return tr("Left foot") if key.side is Side.LEFT else tr("Right foot")
     return tr("Left insole") if key.side is Side.LEFT else tr("Right insole")
+
+
+@dataclass(frozen=True)
+class _Version:
+    """A version as it was when its picture was made."""
+
+    id: str
+    revision: int
+
+
+class VisitPictures:
+    """Makes pictures of versions, and remembers the last ones.
+
+    Parameters
+    ----------
+    show
+        Shows a picture in its place.
+    """
+
+    def __init__(self, clinic: ClinicRecord, show: Callable[[PictureKey, QImage], None]) -> None:
+        self._clinic = clinic
+        self._show = show
+        self._made: OrderedDict[_Version, tuple[QImage, QImage]] = OrderedDict()
+        self._wanted: list[VersionSummary] = []
+
+    def want(self, versions: Sequence[VersionSummary]) -> None:
+        """Show the pictures of versions, the first ones first; earlier wishes are forgotten."""
+        self._wanted = []
+        for version in versions:
+            made = self._made.get(_Version(version.id, version.revision))
+            if made is None:
+                self._wanted.append(version)
+            else:
+                self._put(version, made)
+        self._make_next()
+
+    def _make_next(self) -> None:
+        if not self._wanted or self._clinic.jobs.is_running(CHANNEL):
+            return
+        version = self._wanted.pop(0)
+
+        def make(records: Records) -> Thumbnails:
+            from insole_core.workflows.records.thumbnails import thumbnails
+
+            return thumbnails(records.prescriptions.read(version.id))
+
+        def made(pictures: Thumbnails) -> None:
+            images = _image(pictures.foot), _image(pictures.insole)
+            self._made[_Version(version.id, version.revision)] = images
+            while len(self._made) > _KEPT:
+                self._made.popitem(last=False)
+            self._put(version, images)
+            self._make_next()
+
+        def missed(error: Exception) -> None:
+            if not isinstance(error, InsoleError):
+                raise error
+            self._make_next()  # its place stays empty
+
+        self._clinic.ask(CHANNEL, make, made, missed)
+
+    def _put(self, version: VersionSummary, images: tuple[QImage, QImage]) -> None:
+        for kind, image in zip((FOOT, INSOLE), images, strict=True):
+            self._show(PictureKey(version.visit_id, version.side, kind), image)
+
+
+def _image(picture: Rgba) -> QImage:
+    height, width, _four = picture.shape
+    packed = picture.tobytes()
+    return QImage(packed, width, height, 4 * width, QImage.Format.Format_RGBA8888).copy()

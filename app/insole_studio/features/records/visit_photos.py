@@ -16,11 +16,11 @@ from insole_core.errors import Conflict, InputError, InsoleError
 from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.photo import Photo, marks_of, marks_to_json
 from insole_studio.document.clinic_record import RecordState
-from insole_studio.document.unkept_visit import MOST_REVISIONS
+from insole_studio.document.kept_visit import MOST_REVISIONS
 from insole_studio.document.waiting_work import LeftWork, WaitingWork
 from insole_studio.features.records.photos_dialog import PhotosDialog
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import LONG_MS
 from insole_studio.texts import tr
 

@@ -13,7 +13,7 @@ from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
-    from insole_core.records.presence import Present
+    from insole_core.records.stations import Present
 
 log = logging.getLogger(__name__)
 

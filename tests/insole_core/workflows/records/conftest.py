@@ -19,12 +19,10 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.author import Author
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
-from insole_core.records.follow_up import FollowUp
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
-from insole_core.records.visit import Visit
+from insole_core.records.records import Records, open_records
+from insole_core.records.visit import FollowUp, Visit
 
 NAME = "Åsa </h1><script>alert(1)</script> Öberg"
 

@@ -18,11 +18,10 @@ from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
 from insole_core.records.prescription import Base
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.visit import Visit
 from insole_core.workflows.compare_case import Wanted, compare_sources, surface_of
 

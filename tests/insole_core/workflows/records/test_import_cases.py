@@ -17,10 +17,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.person_import import Outcome
 from insole_core.records.place import RecordsPlace
+from insole_core.records.records import open_records
 from insole_core.workflows.records.import_cases import import_cases, plan_cases
 
 _ANNA = Patient("Anna Berg", "1970-02-28", "2026-03-01", "flat feet", "26-7KQ4M")

@@ -20,9 +20,7 @@ from insole_core.records import schema
 from insole_core.records.author import Author
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.fhir import patient_resource
-from insole_core.records.follow_up import FollowUp
 from insole_core.records.marks import TAKEN_OVER, Erased, Merged
-from insole_core.records.open import open_records
 from insole_core.records.order import Order
 from insole_core.records.person import Person
 from insole_core.records.person_import import Outcome, plan_import
@@ -40,11 +38,11 @@ from insole_core.records.record_field import (
     told_fields,
     typed_fields,
 )
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.schema import tables_of_persons
 from insole_core.records.text_table import read_table
-from insole_core.records.visit import Visit
+from insole_core.records.visit import FollowUp, Visit
 from insole_core.workflows.records.person_dossier import pseudonymous, read_dossier
 from insole_core.workflows.records.person_json import person_json
 from insole_core.workflows.records.person_summary import person_report

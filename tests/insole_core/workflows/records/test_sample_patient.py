@@ -17,11 +17,9 @@ from insole_core.errors import InputError, RecordsError
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
 from insole_core.records.captures import MESH
-from insole_core.records.follow_up import FollowUp
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.retention import over_retention
 from insole_core.records.sample_patient import (
     has_patients,
@@ -30,6 +28,7 @@ from insole_core.records.sample_patient import (
     remove_sample,
 )
 from insole_core.records.verify import verify_record
+from insole_core.records.visit import FollowUp
 from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.records.sample_patient import ensure_sample, renew_sample
 

@@ -18,11 +18,11 @@ import insole_core.records
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author, Proof, Role
-from insole_core.records.open import open_records
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
 from insole_core.records.record_field import Choice, Day, Field, Number, fields_of
+from insole_core.records.records import open_records
 from insole_core.records.retention import ErasureReason
 from insole_core.records.visit import CaptureState, Visit
 from insole_studio.features.clinic.audit_texts import FIELDS, NAMES, WORDS, details_text

@@ -18,7 +18,7 @@ from insole_core.progress import Cancelled, Progress
 from insole_core.records.backup.back_up import _Source, back_up, set_up_backups
 from insole_core.records.backup.backup_folder import BackupFolder
 from insole_core.records.backup.backup_key import BackupKey
-from insole_core.records.backup.manifest import Manifest
+from insole_core.records.backup.snapshot import Manifest
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application

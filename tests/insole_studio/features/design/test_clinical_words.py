@@ -39,7 +39,7 @@ from insole_studio.features.design.parameters.correction_fields import (
 from insole_studio.features.design.patient.measure_grid import MeasureGrid
 from insole_studio.features.design.patient.measure_texts import measures_of
 from insole_studio.features.design.rows import FieldSpec
-from insole_studio.widgets.fold import Fold
+from insole_studio.widgets.form_parts import Fold
 from insole_studio.widgets.number_field import NumberField
 
 PAD = Pelott(centre_mm=(-3.0, 153.3), sigma_mm=(20.0, 30.0))

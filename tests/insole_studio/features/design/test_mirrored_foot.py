@@ -18,7 +18,7 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import wait_for
 from insole_studio.features.design.patient.measure_texts import measures_of
 from insole_studio.services.questions import SameSide
-from insole_studio.widgets.side_badge import SideBadge
+from insole_studio.widgets.side_switch import SideBadge
 
 SAID = "The right foot was not scanned: foot and insole are mirrored from the left foot."
 

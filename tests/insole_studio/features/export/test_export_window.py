@@ -29,10 +29,10 @@ from insole_studio.features.export.blocks_dialog import BlocksDialog
 from insole_studio.features.export.order_form import OrderForm
 from insole_studio.features.export.rows import CheckState
 from insole_studio.features.export.stage import ExportStage
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.questions import Questions
 from insole_studio.settings import load_settings
-from insole_studio.widgets.fields_dialog import FieldsDialog
+from insole_studio.widgets.form_parts import FieldsDialog
 
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 LEFT = Qt.MouseButton.LeftButton
@@ -173,7 +173,7 @@ def test_a_dialog_goes_with_its_window(
     qtbot.waitUntil(lambda: app.services.messages.dialogs == [])
 
 
-BEFORE_ANY_WINDOW = "app/software_rendering.py"
+BEFORE_ANY_WINDOW = "app/graphics.py"
 
 
 def calls_of_dialogs() -> Iterator[tuple[str, ast.Call]]:

@@ -13,14 +13,13 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import record_keeper
-from insole_studio.features.records.visit_pictures import VisitPictures
+from insole_studio.features.records.visit_card import VisitPictures
 from insole_studio.user_paths import UserPaths
 
 

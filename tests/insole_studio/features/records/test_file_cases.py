@@ -25,7 +25,7 @@ from insole_core.workflows.order_package import Ordered
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import KeepState
-from insole_studio.features.records.choose_person_dialog import ChoosePersonDialog
+from insole_studio.features.records.patient_dialogs import ChoosePersonDialog
 from insole_studio.features.records.record_dialogs import OrderDialog
 from insole_studio.user_paths import UserPaths
 

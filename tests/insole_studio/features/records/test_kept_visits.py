@@ -30,8 +30,11 @@ from insole_studio.document import clinic_record, record_keeper
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
-from insole_studio.features.records.conflict_dialog import Choice, ConflictDialog
-from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
+from insole_studio.features.records.version_dialogs import (
+    Choice,
+    ConflictDialog,
+    FieldConflictDialog,
+)
 from insole_studio.user_paths import UserPaths
 
 

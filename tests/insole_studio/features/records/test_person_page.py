@@ -31,14 +31,13 @@ from insole_core.workflows.mirrored_foot import mirrored_foot
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.main_controller import SCANNING
-from insole_studio.features.records.field_conflict_dialog import FieldConflictDialog
-from insole_studio.features.records.history_dialog import HistoryDialog
-from insole_studio.features.records.person_export_dialog import PersonExportDialog
 from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
+from insole_studio.features.records.record_transfer import PersonExportDialog
+from insole_studio.features.records.version_dialogs import FieldConflictDialog, HistoryDialog
 from insole_studio.texts import moment_text
 from insole_studio.widgets.notice_bar import Notice
-from insole_studio.widgets.side_badge import SideBadge
+from insole_studio.widgets.side_switch import SideBadge
 
 LEFT = Qt.MouseButton.LeftButton
 

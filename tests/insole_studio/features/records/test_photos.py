@@ -26,7 +26,7 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.document import clinic_record
 from insole_studio.features.records.photos_dialog import PhotosDialog
 from insole_studio.services.questions import Answer
-from insole_studio.widgets.marked_picture import Line, MarkedPicture
+from insole_studio.widgets.picture_view import Line, MarkedPicture
 
 LEFT = Qt.MouseButton.LeftButton
 SKIN = "#c8a08c"

@@ -15,10 +15,12 @@ from PySide6.QtWidgets import QApplication
 from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.records.person import Person
-from insole_studio.features.records.character_set_dialog import CharacterSetDialog
-from insole_studio.features.records.import_dialog import ImportDialog
-from insole_studio.features.records.person_export_dialog import PersonExportDialog
-from insole_studio.features.records.table_import_dialog import TableImportDialog
+from insole_studio.features.records.import_dialog import (
+    CharacterSetDialog,
+    ImportDialog,
+    TableImportDialog,
+)
+from insole_studio.features.records.record_transfer import PersonExportDialog
 
 _TABLE = "Namn;Född;Ort\nÅsa Öberg;02/03/1970;Malmö\nPer Ek;04/05/1980;\nLena;1980-02-30;\n"
 

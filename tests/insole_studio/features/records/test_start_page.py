@@ -18,7 +18,7 @@ from insole_core.records.records import Records
 from insole_core.records.rights import Right
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
-from insole_studio.features.records.new_patient_dialog import NewPatientDialog
+from insole_studio.features.records.patient_dialogs import NewPatientDialog
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND
 from insole_studio.widgets.tour import Tour

@@ -20,13 +20,12 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.author import Author
-from insole_core.records.open import open_records
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
-from insole_core.records.records import Records
+from insole_core.records.records import Records, open_records
 from insole_core.records.traces import Traces
 from insole_core.records.visit import Visit
-from insole_studio.document.erased_leftovers import forget_leftovers
+from insole_studio.document.record_maintenance import forget_leftovers
 from insole_studio.document.waiting_work import WaitingWork
 from insole_studio.user_paths import UserPaths
 from tests.patience import PATIENCE_S

@@ -8,10 +8,10 @@ from insole_core.files.atomic import replacing_file
 from insole_core.foot.measure_table import table_csv
 from insole_studio.document.case import Case
 from insole_studio.features.design.patient.measure_texts import table_of
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr
-from insole_studio.widgets.fields_dialog import Field
+from insole_studio.widgets.form_parts import Field
 
 _MOST_LETTERS = 120
 

@@ -30,8 +30,7 @@ from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.services.file_kinds import TEMPLATE_SUFFIX, case_kinds, template_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import TEMPLATE_SUFFIX, Kept, case_kinds, template_kinds
 from insole_studio.services.user_messages import LONG_MS, UserMessages
 from insole_studio.texts import tr
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from insole_core.cases.case_record import FootRecord, Variant
 from insole_studio.document.case import Case
-from insole_studio.document.variants import choose_variant, next_name
+from insole_studio.document.case_names import choose_variant, next_name
 from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.texts import tr

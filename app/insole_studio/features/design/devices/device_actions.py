@@ -39,8 +39,7 @@ from insole_studio.features.design.devices.devices_view import DevicesView, Menu
 from insole_studio.features.design.devices.finding_actions import FindingActions
 from insole_studio.features.design.devices.material_actions import MaterialActions
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.file_kinds import DEVICE_SUFFIX, device_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import DEVICE_SUFFIX, Kept, device_kinds
 from insole_studio.texts import tr, translate_core_message
 
 CHANNEL = "form"

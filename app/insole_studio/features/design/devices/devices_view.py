@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.texts import tr
-from insole_studio.widgets.plain_button import plain_button
+from insole_studio.widgets.form_parts import plain_button
 
 SIZE_PX = QSize(820, 480)
 LIST_PX = 300

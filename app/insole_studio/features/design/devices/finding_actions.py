@@ -18,10 +18,9 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.kept_finding import KeptFinding, finding_of
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.file_kinds import FINDING_SUFFIX, finding_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import FINDING_SUFFIX, Kept, finding_kinds
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.fields_dialog import Field
+from insole_studio.widgets.form_parts import Field
 
 
 class FindingActions:

@@ -15,8 +15,7 @@ from insole_core.workflows.clinic_materials import ClinicMaterials, export_mater
 from insole_studio.document.material_model import MaterialModel
 from insole_studio.features.design.devices.materials_dialog import MaterialsDialog
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.file_kinds import MATERIALS_SUFFIX, material_kinds
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import MATERIALS_SUFFIX, Kept, material_kinds
 from insole_studio.texts import tr, translate_core_message
 
 _UNREADABLE = "unreadable materials"

@@ -35,11 +35,10 @@ from insole_core.insole.prescription.materials import (
 from insole_core.messages import Message
 from insole_studio.features.design.correction_names import capitalised
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import mark_labels, plain_button
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.plain_button import plain_button
 
 SIZE_PX = QSize(760, 500)
 _LIST_PX, _FIELD_PX, _REMOVE_PX, _GAP_PX = 220, 96, 28, 6

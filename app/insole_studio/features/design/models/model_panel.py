@@ -11,8 +11,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.contour_lines import ContourLines
-from insole_studio.scene.guide_lines import GuideLines
-from insole_studio.scene.name_label import NameLabel
+from insole_studio.scene.guide_lines import GuideLines, NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
 
 

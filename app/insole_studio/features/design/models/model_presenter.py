@@ -20,12 +20,12 @@ from insole_core.insole.outline.shoe_outline import shoe_outline
 from insole_core.insole.prescription.lifts import heel_lift_mm
 from insole_core.pressure.laid_map import PlantarLayers
 from insole_studio.document.case import Case
+from insole_studio.document.case_names import choose_variant
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
-from insole_studio.document.variants import choose_variant
 from insole_studio.features.design.models.color_maps import (
     MapKind,
     color_by,

@@ -23,7 +23,7 @@ from insole_studio.features.design.tools.rim_tool import (
     remove_station,
 )
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.scene.gesture import AnyGesture
+from insole_studio.scene.pointer import AnyGesture
 from insole_studio.texts import tr
 from insole_studio.widgets.rim_chart import ChartStation, ChartZone, RimGraph
 

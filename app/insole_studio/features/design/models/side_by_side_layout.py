@@ -11,9 +11,9 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_studio.document.side_by_side import Beside, SideBySide
-from insole_studio.scene.name_label import NameLabel
+from insole_studio.scene.guide_lines import NameLabel
 from insole_studio.texts import tr
-from insole_studio.widgets.side_badge import COLORS
+from insole_studio.widgets.side_switch import COLORS
 
 GAP_MM = 64.0
 """Gap between the two, wide enough for their anatomical directions."""

@@ -44,7 +44,7 @@ from insole_studio.features.design.tools.posting_tool import posting_of
 from insole_studio.features.design.tools.rim_tool import remove_station
 from insole_studio.features.design.tools.tool import with_number
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.scene.gesture import AnyGesture
+from insole_studio.scene.pointer import AnyGesture
 from insole_studio.texts import tr
 
 ANGLE = Range(-90, 90, "degrees")

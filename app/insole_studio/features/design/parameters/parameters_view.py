@@ -21,12 +21,9 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.finger_scroll import scroll_by_finger
-from insole_studio.widgets.flow import FlowLayout
-from insole_studio.widgets.fold import Fold
-from insole_studio.widgets.number_field import NumberField
-from insole_studio.widgets.slider_field import SliderField
+from insole_studio.widgets.form_parts import ComboBox, Fold
+from insole_studio.widgets.layouts import FlowLayout, scroll_by_finger
+from insole_studio.widgets.number_field import NumberField, SliderField
 
 ValueField: TypeAlias = NumberField | SliderField | ComboBox
 

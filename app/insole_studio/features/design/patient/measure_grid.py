@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from insole_core.geometry.side import Side
 from insole_studio.features.design.rows import Measure
 from insole_studio.texts import tr
-from insole_studio.widgets.emptied import remove_widgets
-from insole_studio.widgets.link_label import LinkLabel
-from insole_studio.widgets.side_badge import side_letter
+from insole_studio.widgets.form_parts import LinkLabel
+from insole_studio.widgets.layouts import remove_widgets
+from insole_studio.widgets.side_switch import side_letter
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _BOTH = 4

@@ -16,7 +16,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction
 from insole_studio.document.case import Case
-from insole_studio.document.variants import choose_variant
+from insole_studio.document.case_names import choose_variant
 from insole_studio.features.design.correction_names import describe, device_name, name_of
 from insole_studio.features.design.patient.measure_texts import distances_of, measures_of
 from insole_studio.features.design.rows import CorrectionRow, Measure

@@ -23,16 +23,16 @@ from insole_studio.features.design.patient.variant_row import VariantRow
 from insole_studio.features.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.texts import tr
 from insole_studio.widgets.date_field import DateField
-from insole_studio.widgets.emptied import remove_widgets
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import LinkLabel, mark_labels
 from insole_studio.widgets.icons import icon
-from insole_studio.widgets.link_label import LinkLabel
-from insole_studio.widgets.notes_field import NotesField
-from insole_studio.widgets.side_badge import side_letter
-from insole_studio.widgets.side_switch import SideSwitch
-from insole_studio.widgets.typed_text import forget_typed, show_unless_typing
-from insole_studio.widgets.validation_bubble import ValidationBubble
-from insole_studio.widgets.vertical_scroll import VerticalScroll
+from insole_studio.widgets.layouts import VerticalScroll, remove_widgets
+from insole_studio.widgets.side_switch import SideSwitch, side_letter
+from insole_studio.widgets.text_fields import (
+    NotesField,
+    ValidationBubble,
+    forget_typed,
+    show_unless_typing,
+)
 
 LEAST_PX = 216
 

@@ -18,7 +18,7 @@ from insole_studio.features.design.actions.edit_actions import EditActions
 from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept
 from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:

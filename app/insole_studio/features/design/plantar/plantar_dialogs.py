@@ -33,7 +33,7 @@ from insole_core.pressure.units import PressureUnit
 from insole_core.workflows.lay_plantar import Shown
 from insole_studio.scene.coloring import map_colors
 from insole_studio.texts import fill, tr
-from insole_studio.widgets.combo_box import ComboBox
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView

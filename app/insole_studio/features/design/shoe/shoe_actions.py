@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import InsoleError
 from insole_core.progress import Progress
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.last_folders import Kept
+from insole_studio.services.files import Kept, surface_kinds
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
@@ -59,7 +59,6 @@ class ShoeActions:
 
     def _ask_last(self, dialog: ShoeDialog, foot: Foot) -> None:
         from insole_core.workflows.shoe_choice import shoe_of_last
-        from insole_studio.services.file_kinds import surface_kinds
 
         questions = self._services.messages.questions.on(dialog)
         path = questions.file_to_open(surface_kinds(), Kept.SCANS)

@@ -27,8 +27,7 @@ from insole_core.insole.shoes.shoe_sizes import (
 )
 from insole_core.messages import Message
 from insole_studio.texts import fill, tr, translate_core_message
-from insole_studio.widgets.combo_box import ComboBox
-from insole_studio.widgets.form_labels import mark_labels
+from insole_studio.widgets.form_parts import ComboBox, mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 

@@ -10,8 +10,7 @@ from insole_core.insole.grips import place_at
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.hand import seen_from_above
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Phase, PointerEvent
 from insole_studio.texts import tr
 
 LEAST_STEP_SHARE = 0.15

@@ -13,8 +13,7 @@ from insole_core.insole.primitives.outline_curve import crosses_itself, inside_c
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.hand import Hand, seen_from_above
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 
 CORNERS = 14

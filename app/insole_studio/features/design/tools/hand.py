@@ -23,8 +23,7 @@ from insole_studio.features.design.tools.tool import (
     nudge_mm,
     rise_mm,
 )
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr, translate_core_message
 

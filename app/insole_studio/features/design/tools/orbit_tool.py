@@ -6,8 +6,7 @@ from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.hand import Hand
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, PointerEvent
 from insole_studio.texts import tr
 
 

@@ -26,8 +26,7 @@ from insole_studio.features.design.tools.tool import (
     Tool,
     nudge_mm,
 )
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 
 PREFIX = "outline:"

@@ -12,8 +12,7 @@ from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.hand import Hand, seen_from_above
 from insole_studio.features.design.tools.metatarsal_line import clearance_text, usual_place
 from insole_studio.features.design.tools.tool import ContextMenuItem, SurfaceContext, Tool
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 
 

@@ -11,8 +11,7 @@ from insole_core.cases.case_record import Annotations, ReferencePlane
 from insole_core.geometry.rounding import rounded
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool, rise_mm
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 
 ARM_MM = 70.0

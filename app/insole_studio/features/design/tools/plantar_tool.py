@@ -11,8 +11,7 @@ from insole_core.pressure.placement import Placement
 from insole_studio.document.case import Case
 from insole_studio.document.plantar_view import PlantarView
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool, nudge_mm
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.texts import tr
 
 TURN = "plantar-turn"

@@ -8,8 +8,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.hand import dragged, element_handles, turn_by_notches
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, PointerEvent
 from insole_studio.texts import tr
 
 BORDER_SHARE = 0.42

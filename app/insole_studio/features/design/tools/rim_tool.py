@@ -25,8 +25,7 @@ from insole_studio.features.design.tools.tool import (
     Tool,
 )
 from insole_studio.features.design.tools.trim_line_drag import carry_trim_point, shown_trim_points
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import ViewTransform
 from insole_studio.texts import tr
 

@@ -19,8 +19,7 @@ from insole_core.insole.elements import Correction
 from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.document.case import Case
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, PointerEvent
 from insole_studio.scene.view_camera import Subject
 
 NUDGE_MM = 0.5

@@ -14,8 +14,7 @@ from insole_studio.features.design.tools.tool import (
     Tool,
     show_again,
 )
-from insole_studio.scene.gesture import AnyGesture, RunningGesture
-from insole_studio.scene.pointer import PointerEvent
+from insole_studio.scene.pointer import AnyGesture, PointerEvent, RunningGesture
 from insole_studio.scene.pointer_moves import keep_every_move
 
 

@@ -16,8 +16,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Phase, PointerEvent
 from insole_studio.texts import tr
 
 

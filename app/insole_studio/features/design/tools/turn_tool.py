@@ -17,8 +17,7 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.foot_pose import turned_record
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool
-from insole_studio.scene.gesture import Gesture
-from insole_studio.scene.pointer import Handle, Phase, PointerEvent
+from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import localised, tr
 

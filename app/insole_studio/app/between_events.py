@@ -1,14 +1,30 @@
-"""Collects Python's cyclic garbage between the events of the window."""
+"""What is done between the events of the window: modules are loaded, garbage is collected."""
 
 from __future__ import annotations
 
 import gc
+from importlib import import_module
 
 from PySide6.QtCore import QObject, QTimer
 
 from insole_studio.native_heap import return_freed_memory
 
 INTERVAL_MS = 1000
+MODULES = (
+    "scipy.spatial",
+    "scipy.ndimage",
+    "scipy.interpolate",
+    "scipy.sparse.linalg",
+    "scipy.sparse.csgraph",
+    "matplotlib.pyplot",
+    "pyvista",
+    "pyvista.plotting",
+    "pyvistaqt",
+    "insole_studio.features.foot.stage",
+    "insole_studio.scene.painter",
+)
+"""In parts of less than half a second: between two of them the window answers."""
+PAUSE_MS = 50
 
 
 class GarbageCollection(QObject):
@@ -48,3 +64,23 @@ def collect_due() -> None:
         if gc.get_count()[generation] > gc.get_threshold()[generation]:
             gc.collect(generation)
             return
+
+
+class Preload(QObject):
+    """Imports one module after the other between the events of the window.
+
+    Not in a thread: two threads that import packages with circular imports may find them half made.
+    """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._left = list(MODULES)
+        self._timer = QTimer(self)
+        self._timer.setInterval(PAUSE_MS)
+        self._timer.timeout.connect(self._import_next)
+        self._timer.start()
+
+    def _import_next(self) -> None:
+        import_module(self._left.pop(0))
+        if not self._left:
+            self._timer.stop()

@@ -1,10 +1,12 @@
-"""Names of the open case: for the title, as a file name, and whose it is."""
+"""Names: of the open case, for the title and as a file name, and of the variants."""
 
 from __future__ import annotations
 
 import re
+from itertools import count
+from string import ascii_uppercase
 
-from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.geometry.side import Side
 from insole_core.visible_text import visible_line
 from insole_studio.document.case import Case
@@ -58,3 +60,18 @@ def whose(record: CaseRecord) -> str:
         else "",
     )
     return "  ·  ".join(word for word in words if word)
+
+
+def choose_variant(case: Case, name: str) -> None:
+    """Choose another prescription for the active foot, as an undo step."""
+    foot = case.record.current
+    if foot is not None and name != foot.chosen:
+        case.apply(foot.with_chosen(name), tr("Choose variant {name}").format(name=name))
+
+
+def next_name(foot: FootRecord) -> str:
+    """Return the first letter that names no variant yet; after Z, numbers."""
+    taken = {variant.name for variant in foot.variants}
+    letters = (letter for letter in ascii_uppercase if letter not in taken)
+    numbers = (str(number) for number in count(1) if str(number) not in taken)
+    return next(letters, None) or next(numbers)

@@ -1,12 +1,16 @@
-"""File kinds for file dialogs."""
+"""Files: their kinds and last folders, for file dialogs, and which were opened recently."""
 
 from __future__ import annotations
 
 import re
+from enum import StrEnum
 from pathlib import Path
+
+from PySide6.QtCore import QObject, QStandardPaths, Signal
 
 from insole_core.formats.file_formats import SCAN_SUFFIXES, patterns
 from insole_core.workflows.file_kind import CASE_SUFFIX
+from insole_studio.settings import Settings
 from insole_studio.texts import tr
 
 TEMPLATE_SUFFIX = ".insole-template"
@@ -81,3 +85,59 @@ def complete_name(typed: Path, kinds: str, chosen: str = "") -> Path:
 
 def _suffixes(kinds: str) -> list[str]:
     return re.findall(r"\*(\.[^\s);]+)", kinds.lower())
+
+
+class Kept(StrEnum):
+    """What is kept in a folder; the value is the folder's name in the settings."""
+
+    CASES = "cases_folder"
+    SCANS = "scans_folder"
+    EXPORTS = "exports_folder"
+    PAPERS = "papers_folder"
+    PICTURES = "pictures_folder"
+    BACKUPS = "backups_parent_folder"
+    RECORDS = "records_parent_folder"
+
+
+class LastFolders:
+    """The last folder of each kind, kept in the settings."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+
+    def of(self, kept: Kept) -> Path:
+        """Return the last folder; while there is none, or it is gone, that of the documents."""
+        last = getattr(self._settings, kept)
+        if last and Path(last).is_dir():
+            return Path(last)
+        place = QStandardPaths.StandardLocation.DocumentsLocation
+        documents = Path(QStandardPaths.writableLocation(place))
+        return documents if documents.is_dir() else Path.home()
+
+    def remember(self, kept: Kept, folder: Path) -> None:
+        """Start the next dialog of this kind in a folder, unless its name is no text."""
+        try:
+            str(folder).encode()
+        except UnicodeEncodeError:
+            return
+        setattr(self._settings, kept, str(folder))
+
+
+class RecentFiles(QObject):
+    """The list of recent files in the settings."""
+
+    changed = Signal()
+
+    def __init__(self, settings: Settings, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._settings = settings
+
+    @property
+    def names(self) -> list[str]:
+        """Return the paths, the latest first."""
+        return self._settings.recent
+
+    def remember(self, path: Path) -> None:
+        """Put a path at the head of the list."""
+        self._settings.remember(path)
+        self.changed.emit()
