@@ -21,7 +21,6 @@ from insole_core.records.place import RecordsPlace
 from insole_core.records.records import open_records
 from insole_core.records.visit import Visit
 from insole_core.resources import resource_path
-from insole_studio.app.key_reference import KeyHelp
 from insole_studio.app.scripted import ScriptedWindow, grab, wait_for
 from insole_studio.features.calibrate.print_dialog import PrintDialog
 from insole_studio.features.calibrate.stage import CalibrateStage
@@ -40,6 +39,7 @@ from insole_studio.features.records.patient_dialogs import NewPatientDialog
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.texts import tr
 from insole_studio.user_paths import UserPaths
+from insole_studio.widgets.key_help import KeyHelp
 
 EXAMPLE = resource_path("example/example.insole")
 PATIENCE_MS, LOOK_MS = 20_000, 50

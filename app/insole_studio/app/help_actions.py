@@ -20,7 +20,6 @@ from insole_studio.acquisition.examined_sensors import examine_sensors
 from insole_studio.app.doctor import Diagnosis, Doctor, FindSensors, report_lines
 from insole_studio.app.features import Features
 from insole_studio.app.graphics import examine_graphics
-from insole_studio.app.key_reference import KeyHelp, Line
 from insole_studio.app.main_window import MainWindow
 from insole_studio.app.manual_pages import (
     FIRST_PAGE,
@@ -35,6 +34,7 @@ from insole_studio.app.tour_stops import tour_stops
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.other_programs import open_file
 from insole_studio.texts import language_code, tr, translate_core_message
+from insole_studio.widgets.key_help import KeyHelp, Line
 from insole_studio.widgets.tour import Tour
 
 CHANNEL = "doctor"

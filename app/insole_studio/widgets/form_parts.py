@@ -1,4 +1,4 @@
-"""Parts of forms: labels, buttons, choices, folds, and a dialog that asks for several lines of text."""
+"""Parts of forms: labels, buttons, choices, folds, and a dialog that asks for several lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Legends: of a colour map in the unit of its values, of named colours, of the length of objects."""
+"""Legends: of a colour map in the unit of its values, of named colours, of lengths."""
 
 from __future__ import annotations
 

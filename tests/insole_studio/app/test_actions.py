@@ -9,9 +9,10 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QTreeWidget
 
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.bootstrap import Application
-from insole_studio.app.key_reference import KeyHelp, key_sections
+from insole_studio.app.key_reference import key_sections
 from insole_studio.app.menus import MAPS, MENUS, PADS, RECENT, SEPARATOR, TOOLBAR
 from insole_studio.texts import load_language
+from insole_studio.widgets.key_help import KeyHelp
 
 KEYS = [record.key for record in ACTIONS]
 OF_ONE_TEXT = {"tool_posting", "add_posting"}
