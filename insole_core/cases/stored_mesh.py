@@ -8,8 +8,7 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.contour_constraints import ContourConstraints
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import ContourConstraints, TriangleMesh
 from insole_core.stored_arrays import read_arrays
 
 MAX_PART_BYTES = 256 * 2**20

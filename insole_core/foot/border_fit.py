@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.geometry.mesh import ContourConstraints
 
 _LEAST_TOWARDS = 0.75  # cosine against the direction: beyond, three parameters do not suffice
 _STRIP_MM, _SPREAD_MM = 2.0, 2.5

@@ -13,12 +13,12 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
-from insole_core.geometry.gap_closing import gap_triangles
-from insole_core.geometry.level_cut import level_cut
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_boundary import gap_triangles
 from insole_core.geometry.mesh_graph import pieces
 from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.sampling import boundary_points
+from insole_core.geometry.sections import level_cut
 
 _LOW_MM = 15.0
 """Height of the sole and the toes, which are narrower than the flanks and seen better."""

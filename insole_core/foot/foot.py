@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse
 from insole_core.imprints.form import Form

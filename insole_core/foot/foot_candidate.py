@@ -9,8 +9,8 @@ import numpy as np
 
 from insole_core.formats.units import Unit, UnitReading
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
 from insole_core.messages import Message

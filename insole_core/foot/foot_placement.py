@@ -33,9 +33,9 @@ from insole_core.foot.pose import (
 )
 from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.far_away import far_origin
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
 from insole_core.messages import Message

@@ -6,9 +6,9 @@ import numpy as np
 
 from insole_core.foot.foot_candidate import CutLeg, Point
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.even_surface import EvenSurface
-from insole_core.geometry.level_cut import cut_off
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import EvenSurface
+from insole_core.geometry.sections import cut_off
 
 # Shares of the foot's length.
 _ANKLE_Y, _ANKLE_Z = 0.25, 0.27

@@ -16,8 +16,8 @@ from insole_core.errors import InputError
 from insole_core.foot.outermost import reach
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg
 

@@ -19,7 +19,7 @@ from insole_core.foot.rear_axes import Axis
 from insole_core.foot.tape import tape_length
 from insole_core.foot.toe_end import GUESS
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.plane_section import boundary_crossings, section_segments
+from insole_core.geometry.sections import boundary_crossings, section_segments
 from insole_core.geometry.weighted import weighted_quantile
 from insole_core.messages import Message, joined
 

@@ -15,7 +15,7 @@ from insole_core.foot.outermost import Border, cap, ramp, reach
 from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.geometry.mesh import ContourConstraints
 from insole_core.geometry.transforms import rotation_about
 from insole_core.geometry.weighted import weighted_quantile
 

@@ -11,7 +11,7 @@ import numpy as np
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.toes import prominences
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.even_surface import EvenSurface
+from insole_core.geometry.sampling import EvenSurface
 
 LEAST_RELIEF_MM = 1.0
 """Of toes; of feet whose toes show it is 3 to 14, of lasts and feet in socks up to 0.3."""

@@ -22,8 +22,7 @@ from insole_core.formats.scan_content import ScanContent
 from insole_core.formats.solid_content import SolidContent
 from insole_core.formats.units import MM_PER_UNIT, Unit
 from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray, IntArray
-from insole_core.geometry.contour_constraints import PLY_ELEMENT, ContourConstraints
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import PLY_ELEMENT, ContourConstraints, TriangleMesh
 from insole_core.messages import Message
 
 _HEAD_BYTES = 64 * 1024

@@ -11,7 +11,7 @@ import numpy as np
 
 from insole_core.formats.units import Unit
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
-from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.geometry.mesh import ContourConstraints
 from insole_core.geometry.transforms import rigid
 from insole_core.messages import Message
 

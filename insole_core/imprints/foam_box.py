@@ -14,10 +14,10 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.level_cut import cut_off
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces, relaxed
 from insole_core.geometry.sampling import area_samples
+from insole_core.geometry.sections import cut_off
 from insole_core.geometry.transforms import transform
 from insole_core.imprints.foam_edge import curled_over
 from insole_core.imprints.planes import Plane, large_planes

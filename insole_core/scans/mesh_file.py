@@ -14,8 +14,8 @@ from insole_core.formats.reading import read_raw
 from insole_core.formats.units import MM_PER_UNIT, UNIT_NAMES, Unit, UnitError
 from insole_core.geometry.far_away import coordinate_step, far_origin
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_resolution import thinned
 from insole_core.geometry.side import Side
-from insole_core.geometry.thinning import thinned
 from insole_core.geometry.transforms import rigid
 from insole_core.messages import Message
 from insole_core.scans.facing import INSIDE_OUT, faces_outwards

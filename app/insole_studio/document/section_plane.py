@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.plane_section import ParallelSections
+from insole_core.geometry.sections import ParallelSections
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.solids.ball_offset import parallel_below
 from insole_studio.document.insole_preview import InsolePreview

@@ -8,7 +8,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
-from insole_core.geometry.level_lines import level_lines
+from insole_core.geometry.sections import level_lines
 from insole_studio.texts import localised
 
 STEP_MM = 1.0

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QVBoxLayout, QWidget
 
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.picking import SurfacePicker
+from insole_core.geometry.ray_casting import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_studio.scene.canvas import Canvas, make_canvas
 from insole_studio.scene.coloring import Coloring

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.geometry.boundary_extension import Boundary
-from insole_core.geometry.contour_constraints import ContourConstraints
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import ContourConstraints, TriangleMesh
+from insole_core.geometry.mesh_boundary import Boundary
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.point_tree import point_tree
 from insole_core.reconstruct.fusion.occluding_contour import Beyond, OccludingContour

@@ -8,10 +8,10 @@ from functools import partial
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, IntArray
-from insole_core.geometry.boundary_extension import extend_boundary
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_boundary import extend_boundary
 from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
-from insole_core.geometry.subdivision import subdivided
+from insole_core.geometry.mesh_resolution import subdivided
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.contour_fit import bend_to, drawn_to, lies_before, touches_of
 from insole_core.reconstruct.fusion.correction_map import corrections_mm

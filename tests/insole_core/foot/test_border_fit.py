@@ -9,7 +9,7 @@ import pytest
 
 from insole_core.foot.border_fit import BorderFit, UsualBorder, fit_border
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.geometry.mesh import ContourConstraints
 from insole_core.geometry.transforms import rigid, rotation_about
 
 MEDIAL = np.array([1.0, 0.0, 0.0])

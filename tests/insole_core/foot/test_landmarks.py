@@ -14,8 +14,7 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import AXES, NAMES, find_landmarks, with_places
 from insole_core.foot.measure_table import measure_table
 from insole_core.foot.measures import DEFINITIONS, deviations_mm, doubts, measure
-from insole_core.geometry.contour_constraints import ContourConstraints
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import ContourConstraints, TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import transform
 from insole_core.scans.mesh_file import read_mesh

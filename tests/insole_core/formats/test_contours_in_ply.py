@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 from insole_core.formats.ply import write_ply
-from insole_core.geometry.contour_constraints import ContourConstraints
+from insole_core.geometry.mesh import ContourConstraints
 from insole_core.scans.mesh_file import read_mesh
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from insole_core.geometry.even_surface import EvenSurface
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.transforms import rigid, rotation_about
 
 RADIUS = 20.0

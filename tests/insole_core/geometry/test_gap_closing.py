@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
-from insole_core.geometry.gap_closing import gap_triangles
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_boundary import gap_triangles
 
 
 def sheet(points: FloatArray) -> TriangleMesh:

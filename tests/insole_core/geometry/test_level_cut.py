@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from insole_core.geometry.level_cut import level_cut
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sections import level_cut
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from insole_core.geometry.level_lines import level_lines
+from insole_core.geometry.sections import level_lines
 
 TRIANGLE = np.array([[0, 1, 2]], dtype=np.int32)
 

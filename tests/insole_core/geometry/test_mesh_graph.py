@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from insole_core.geometry import mesh_graph
-from insole_core.geometry.boundary_extension import extend_boundary
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.subdivision import subdivided
+from insole_core.geometry.mesh_boundary import extend_boundary
+from insole_core.geometry.mesh_resolution import subdivided
 from insole_core.geometry.surface_nets import surface_nets
 
 RADIUS_MM = 9.3

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.plane_section import (
+from insole_core.geometry.sections import (
     ParallelSections,
     boundary_crossings,
     section_segments,

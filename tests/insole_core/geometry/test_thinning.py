@@ -6,7 +6,7 @@ import numpy as np
 import trimesh
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.thinning import thinned
+from insole_core.geometry.mesh_resolution import thinned
 
 RADIUS_MM = 30.0
 

@@ -8,9 +8,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.level_cut import level_cut
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import sample_triangles
+from insole_core.geometry.sections import level_cut
 from insole_core.simulate.foam_box import DOUBLE_MM, FoamBox, press_feet, pressing
 
 _SUPPORTING = -0.8  # z of the normals of a sole that carries

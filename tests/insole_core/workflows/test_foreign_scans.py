@@ -17,8 +17,8 @@ from insole_core.foot.foot_placement import DoubtfulScanError
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measures import measure
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_resolution import thinned
 from insole_core.geometry.side import Side
-from insole_core.geometry.thinning import thinned
 from insole_core.imprints.form import Form
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot

@@ -12,7 +12,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.picking import SurfacePicker
+from insole_core.geometry.ray_casting import SurfacePicker
 from insole_core.geometry.side import Side
 from insole_core.geometry.surface_path import shortest_path
 from insole_core.insole.elements import Correction
