@@ -15,8 +15,7 @@ from insole_core.formats.number_text import (
     words_per_line,
     written_rows,
 )
-from insole_core.formats.polygons import as_indices, fans
-from insole_core.formats.raw_surface import RawSurface
+from insole_core.formats.raw_surface import RawSurface, as_indices, fans
 from insole_core.formats.scan_content import ScanContent
 from insole_core.formats.solid_content import SolidContent
 from insole_core.formats.texture import colors_of_numbers

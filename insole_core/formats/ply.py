@@ -16,8 +16,7 @@ import numpy.typing as npt
 from insole_core.errors import InputError
 from insole_core.files.atomic import replacing_file
 from insole_core.formats.number_text import Lines, floats, plain_text, words_per_line
-from insole_core.formats.polygons import MOST_CORNERS, as_indices, fans
-from insole_core.formats.raw_surface import RawSurface
+from insole_core.formats.raw_surface import MOST_CORNERS, RawSurface, as_indices, fans
 from insole_core.formats.scan_content import ScanContent
 from insole_core.formats.solid_content import SolidContent
 from insole_core.formats.units import MM_PER_UNIT, Unit

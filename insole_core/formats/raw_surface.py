@@ -17,6 +17,8 @@ from insole_core.messages import Message
 
 _MOST_DEPTH, _MOST_PARTS = 64, 10_000
 _MOST_CORNERS: Final = 20_000_000  # as many as one file of the greatest size holds
+MOST_CORNERS = 1000
+"""Of one polygon; a scan has triangles, seldom four corners."""
 
 
 def _no_triangles() -> IndexArray:
@@ -155,3 +157,40 @@ def _meshes(
         faces = np.frombuffer(thing.triangles or array("q"), np.int64).reshape(-1, 3)
         yield points, faces, object2model
         waiting += [(part, object2model @ place, depth + 1) for part, place in thing.parts]
+
+
+def fans(corners: IntArray, counts: IntArray) -> IntArray:
+    """Split polygons into triangles around their first corners.
+
+    Parameters
+    ----------
+    corners : (n,) int64
+        Of all polygons, one after the other.
+    counts : (m,) int64
+        Corners of each; polygons with fewer than three are dropped.
+
+    Returns
+    -------
+    (k, 3) int64
+        Places in `corners`.
+
+    Raises
+    ------
+    ValueError
+        When a polygon has far more corners than a scan's.
+    """
+    if counts.max(initial=0) > MOST_CORNERS:
+        raise ValueError(Message("a polygon has more than {most} corners", most=MOST_CORNERS))
+    firsts = np.cumsum(counts) - counts
+    if (counts == 3).all():
+        return np.arange(len(corners)).reshape(-1, 3)
+    parts = [
+        firsts[counts > number + 1][:, None] + [0, number, number + 1]
+        for number in range(1, int(counts.max(initial=0)) - 1)
+    ]
+    return np.concatenate(parts) if parts else np.empty((0, 3), dtype=np.int64)
+
+
+def as_indices(corners: IntArray) -> IndexArray:
+    """Return corners as int32; what no mesh has stays beyond every mesh."""
+    return np.clip(corners, -1, np.iinfo(np.int32).max).astype(np.int32)
