@@ -10,8 +10,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.pressure.alignment import Alignment, align_pressure
-from insole_core.pressure.laid_map import PressureMap
-from insole_core.pressure.placement import Placement
+from insole_core.pressure.laid_map import Placement, PressureMap
 from insole_core.pressure.recording import SeenFrom
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import vary_shape

@@ -28,7 +28,7 @@ from insole_core.cases.case_file import read_case
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott, Posting
-from insole_core.pressure.sole_print import SolePrint
+from insole_core.pressure.alignment import SolePrint
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.writer import write_session

@@ -15,10 +15,10 @@ from insole_core.picture_size import PNG, picture_size
 from insole_core.pressure.laid_map import (
     MOST_KEPT_PIXELS,
     FootprintPicture,
+    Placement,
     PlantarLayers,
     PressureMap,
 )
-from insole_core.pressure.placement import Placement
 from insole_core.pressure.recording import PITCH_MM
 
 _NO_SENSOR = -1.0

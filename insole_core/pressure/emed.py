@@ -10,8 +10,7 @@ import numpy as np
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.pressure.export_text import MOST_SENSORS, cut_off, number_of, stacked
-from insole_core.pressure.recording import PressureRecording, SeenFrom
-from insole_core.pressure.units import PressureUnit
+from insole_core.pressure.recording import PressureRecording, PressureUnit, SeenFrom
 
 _MATRIX = re.compile(r"Matrix:\s*(\d+)\s*x\s*(\d+)")
 _SIZE = re.compile(r"Sensor size:\s*([\d.]+)\s*x\s*([\d.]+)\s*(cm|mm)")

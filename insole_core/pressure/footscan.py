@@ -12,8 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from insole_core.pressure.grid_text import read_grid
-from insole_core.pressure.recording import PressureRecording, SeenFrom
-from insole_core.pressure.units import PressureUnit
+from insole_core.pressure.recording import PressureRecording, PressureUnit, SeenFrom
 
 _FRAME = re.compile(r"^\W*Frame\s+\d+\s*\([\d.,]+\s*ms\)", re.MULTILINE)
 _PITCH_MM = 5.08, 7.62

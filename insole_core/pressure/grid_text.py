@@ -16,8 +16,7 @@ from typing import TypeVar
 from insole_core.errors import InputError
 from insole_core.geometry.side import Side
 from insole_core.pressure.export_text import number_of, stacked
-from insole_core.pressure.recording import PressureRecording, SeenFrom
-from insole_core.pressure.units import PressureUnit
+from insole_core.pressure.recording import PressureRecording, PressureUnit, SeenFrom
 
 _Word = TypeVar("_Word", bound=StrEnum)
 _LEAST_ROWS, _LEAST_COLUMNS = 6, 3

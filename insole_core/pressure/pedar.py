@@ -16,8 +16,7 @@ from insole_core.errors import InputError
 from insole_core.geometry.arrays import IntArray
 from insole_core.geometry.side import Side
 from insole_core.pressure.export_text import cut_off, numbers_of, stacked
-from insole_core.pressure.recording import PressureRecording, SeenFrom
-from insole_core.pressure.units import PressureUnit
+from insole_core.pressure.recording import PressureRecording, PressureUnit, SeenFrom
 
 _UNIT = re.compile(r"pressure values in\s+(\S+)")
 _SENSORS = (5, *[7] * 12, 6, 4)

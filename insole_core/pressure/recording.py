@@ -1,4 +1,4 @@
-"""What a file of plantar pressure holds of one foot: its frames, and what it says about them."""
+"""What a file of plantar pressure holds of one foot: its frames, in which unit, and what it says."""
 
 from __future__ import annotations
 
@@ -11,14 +11,43 @@ import numpy.typing as npt
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.pressure.units import PressureUnit
 
+_KPA = {"kPa": 1.0, "N/cm²": 10.0, "mmHg": 0.133322, "psi": 6.894757, "g/cm²": 0.0980665,
+        "kg/cm²": 98.0665}  # fmt: skip
+_WRITTEN = {
+    "kpa": "kPa", "n/cm2": "N/cm²", "n/cm²": "N/cm²", "n/cm^2": "N/cm²", "mmhg": "mmHg",
+    "psi": "psi", "g/cm2": "g/cm²", "g/cm²": "g/cm²", "g/cm^2": "g/cm²", "kg/cm2": "kg/cm²",
+    "kg/cm²": "kg/cm²", "kg/cm^2": "kg/cm²", "n": "N",
+}  # fmt: skip
 PITCH_MM = (1.0, 30.0)
 LENGTH_MM = (120.0, 380.0)
 """Of an insole with sensors."""
 _MOST_KPA = 3000.0
 _LEAST_USUAL_KPA = 40.0
 _STEP, _LEAST_FRAMES = 0.05, 3  # of the greatest sum, and frames that a step takes at least
+
+
+class PressureUnit(StrEnum):
+    """Unit of the numbers of a map."""
+
+    KPA = "kPa"
+    N_CM2 = "N/cm²"
+    MMHG = "mmHg"
+    PSI = "psi"
+    G_CM2 = "g/cm²"
+    KG_CM2 = "kg/cm²"
+    NEWTON = "N"
+    """Force on each sensor."""
+
+    def kpa(self, sensor_mm2: float) -> float:
+        """Return the pressure, kPa, of a number 1 on a sensor of an area, mm²."""
+        return 1000.0 / sensor_mm2 if self is PressureUnit.NEWTON else _KPA[self]
+
+    @classmethod
+    def written(cls, text: str) -> PressureUnit | None:
+        """Return the unit that a text names, in whatever case; None when it names none."""
+        name = _WRITTEN.get(text.strip().lower())
+        return None if name is None else cls(name)
 
 
 class SeenFrom(StrEnum):

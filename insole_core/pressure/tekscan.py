@@ -7,8 +7,7 @@ from pathlib import Path
 
 from insole_core.errors import InputError
 from insole_core.pressure.export_text import cut_off, numbers_of, stacked
-from insole_core.pressure.recording import PressureRecording, SeenFrom
-from insole_core.pressure.units import PressureUnit
+from insole_core.pressure.recording import PressureRecording, PressureUnit, SeenFrom
 
 _MM = {"mm": 1.0, "cm": 10.0, "centimeters": 10.0, "millimeters": 1.0, "in": 25.4, "inches": 25.4}
 _SPACING = re.compile(r"([\d.]+)\s*(\w+)")

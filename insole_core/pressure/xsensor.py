@@ -8,8 +8,7 @@ from pathlib import Path
 from insole_core.errors import InputError
 from insole_core.geometry.side import Side
 from insole_core.pressure.export_text import cut_off, numbers_of, stacked
-from insole_core.pressure.recording import PressureRecording, SeenFrom
-from insole_core.pressure.units import PressureUnit
+from insole_core.pressure.recording import PressureRecording, PressureUnit, SeenFrom
 
 _SIDES = {"LF": Side.LEFT, "RF": Side.RIGHT}
 _SIDE = re.compile(r"-(LF|RF)\b")

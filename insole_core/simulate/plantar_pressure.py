@@ -7,9 +7,8 @@ import numpy as np
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, find_landmarks
 from insole_core.geometry.arrays import FloatArray
-from insole_core.pressure.laid_map import PressureMap, centres_mm
-from insole_core.pressure.placement import Placement
-from insole_core.pressure.sole_print import SolePrint
+from insole_core.pressure.alignment import SolePrint
+from insole_core.pressure.laid_map import Placement, PressureMap, centres_mm
 
 PLATE = (80, 80)
 _SPOTS = ("heel_centre", *HEADS, "toe_tip_1")

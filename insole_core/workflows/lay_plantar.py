@@ -10,9 +10,8 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.messages import Message
 from insole_core.pressure.alignment import Alignment, align_contact, align_pressure
-from insole_core.pressure.laid_map import FootprintPicture, PressureMap
+from insole_core.pressure.laid_map import FootprintPicture, Placement, PressureMap
 from insole_core.pressure.picture import contact_of_picture
-from insole_core.pressure.placement import Placement
 from insole_core.pressure.recording import (
     Answers,
     PressureRecording,

@@ -146,8 +146,7 @@ def _side(arguments: argparse.Namespace) -> Side | None:
 
 
 def _answers(arguments: argparse.Namespace) -> Answers:
-    from insole_core.pressure.recording import Answers, SeenFrom
-    from insole_core.pressure.units import PressureUnit
+    from insole_core.pressure.recording import Answers, PressureUnit, SeenFrom
 
     unit = None if arguments.unit is None else PressureUnit.written(arguments.unit)
     seen_from = None if arguments.seen_from is None else SeenFrom(arguments.seen_from)

@@ -7,8 +7,7 @@ from enum import StrEnum
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.case_record import FootRecord
-from insole_core.pressure.laid_map import FootprintPicture, PlantarLayers, PressureMap
-from insole_core.pressure.placement import Placement
+from insole_core.pressure.laid_map import FootprintPicture, Placement, PlantarLayers, PressureMap
 from insole_core.workflows.plantar_pressure import with_picture, with_pressure
 
 

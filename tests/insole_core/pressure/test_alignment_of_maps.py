@@ -18,13 +18,11 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.pressure.laid_map import PressureMap
+from insole_core.pressure.alignment import SolePrint
+from insole_core.pressure.laid_map import Placement, PressureMap
 from insole_core.pressure.picture import read_picture_file, with_distance, with_dpi
-from insole_core.pressure.placement import Placement
-from insole_core.pressure.recording import Answers, PressureRecording, SeenFrom
+from insole_core.pressure.recording import Answers, PressureRecording, PressureUnit, SeenFrom
 from insole_core.pressure.regions import REGIONS, overloaded_heads, region_peaks
-from insole_core.pressure.sole_print import SolePrint
-from insole_core.pressure.units import PressureUnit
 from insole_core.simulate.plantar_pressure import pressed
 from insole_core.workflows.findings import Catalogue
 from insole_core.workflows.foot_pose import lying_anew

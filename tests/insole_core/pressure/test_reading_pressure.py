@@ -10,8 +10,7 @@ import pytest
 from insole_core.errors import InputError
 from insole_core.geometry.side import Side
 from insole_core.pressure.read_pressure import read_pressure
-from insole_core.pressure.recording import Answers, Question, SeenFrom
-from insole_core.pressure.units import PressureUnit
+from insole_core.pressure.recording import Answers, PressureUnit, Question, SeenFrom
 
 _XSENSOR = """File:,"walk.XSN",,
 ,,,

@@ -22,8 +22,7 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.layers import Layers
-from insole_core.pressure.laid_map import PressureMap
-from insole_core.pressure.placement import Placement
+from insole_core.pressure.laid_map import Placement, PressureMap
 from insole_core.solids.export_job import standing
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.order import Order, Part, make_part

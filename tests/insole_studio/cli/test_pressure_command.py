@@ -15,7 +15,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
-from insole_core.pressure.sole_print import SolePrint
+from insole_core.pressure.alignment import SolePrint
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_studio.cli.main import run

@@ -19,9 +19,9 @@ from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
-from insole_core.pressure.placement import Placement
+from insole_core.pressure.alignment import SolePrint
+from insole_core.pressure.laid_map import Placement
 from insole_core.pressure.read_pressure import read_pressure
-from insole_core.pressure.sole_print import SolePrint
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog, PressureDialog

@@ -27,9 +27,9 @@ from insole_core.pressure.recording import (
     PITCH_MM,
     Answers,
     PressureRecording,
+    PressureUnit,
     SeenFrom,
 )
-from insole_core.pressure.units import PressureUnit
 from insole_core.workflows.lay_plantar import Shown
 from insole_studio.scene.coloring import map_colors
 from insole_studio.texts import fill, tr

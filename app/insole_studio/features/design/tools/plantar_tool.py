@@ -7,7 +7,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.grips import place_at
-from insole_core.pressure.placement import Placement
+from insole_core.pressure.laid_map import Placement
 from insole_studio.document.case import Case
 from insole_studio.document.plantar_view import PlantarView
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool, nudge_mm
