@@ -39,7 +39,7 @@ from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
 from insole_core.messages import Message
-from insole_core.scans.facing import INSIDE_OUT
+from insole_core.scans.cleaning import INSIDE_OUT
 
 Frame = Literal["reference", "unknown"]
 

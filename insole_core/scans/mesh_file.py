@@ -18,17 +18,18 @@ from insole_core.geometry.mesh_resolution import thinned
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
 from insole_core.messages import Message
-from insole_core.scans.facing import INSIDE_OUT, faces_outwards
+from insole_core.scans.cleaning import (
+    INSIDE_OUT,
+    faces_outwards,
+    merged,
+    without_double_triangles,
+    without_flat_triangles,
+    without_spikes,
+)
 from insole_core.scans.length_unit import checked_length, stated_or_likely_unit
 from insole_core.scans.point_surface import even_points, surface_through, without_outliers
 from insole_core.scans.scale import KnownSize, provisional_mm_per_unit
 from insole_core.scans.scan_folder import ScanPart, part_content, scan_parts
-from insole_core.scans.spikes import without_spikes
-from insole_core.scans.vertex_merging import (
-    merged,
-    without_double_triangles,
-    without_flat_triangles,
-)
 
 __all__ = ["ReadMesh", "Unit", "UnitError", "read_mesh", "read_part"]
 

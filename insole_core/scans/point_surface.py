@@ -14,7 +14,7 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexA
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_nets import surface_nets
 from insole_core.messages import Message
-from insole_core.scans.vertex_merging import first_of_each_place
+from insole_core.scans.cleaning import first_of_each_place
 
 _PLANE_NEIGHBOURS, _LINKED_NEIGHBOURS, _BLENDED_NEIGHBOURS = 16, 8, 8
 _LEAST_CELL_MM, _MOST_POINTS = 1.0, 100_000

@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
 from insole_core.messages import Message
-from insole_core.scans.facing import faces_outwards
+from insole_core.scans.cleaning import faces_outwards
 from insole_core.scans.sheets import without_sheet
 
 _SHEET_TOLERANCE_MM = 1.5

@@ -17,7 +17,7 @@ from insole_core.geometry.side import Side
 from insole_core.imprints.foam_box import BoxScan, Imprint, find_imprints
 from insole_core.imprints.form import Form
 from insole_core.messages import Message
-from insole_core.scans.facing import INSIDE_OUT
+from insole_core.scans.cleaning import INSIDE_OUT
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.workflows.foot_said import NOTHING_SAID, FootSaid, at_known_length
 from insole_core.workflows.scanned_feet import named_feet

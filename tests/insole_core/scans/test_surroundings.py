@@ -10,7 +10,7 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.scans.spikes import without_spikes
+from insole_core.scans.cleaning import without_spikes
 from insole_core.scans.surroundings import second_foot, without_surroundings
 
 
