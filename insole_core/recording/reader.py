@@ -16,7 +16,7 @@ from insole_core.recording.hand_edits_file import NAME as EDITS
 from insole_core.recording.hand_edits_file import edits_path, parse_edits
 from insole_core.recording.images import PngKind, check_png, decode_color, decode_depth
 from insole_core.recording.manifest_json import parse_manifest
-from insole_core.recording.sensor_json import DEPTH_SIZE, correction_name, parse_sensor
+from insole_core.recording.sensor_folder import DEPTH_SIZE, correction_name, parse_sensor
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.store import FolderStore, Store, ZipStore
 from insole_core.sensing.correction import DisparityCorrection, parse_correction

@@ -14,8 +14,7 @@ from insole_core.formats.ply import write_ply
 from insole_core.formats.reading import read_raw
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.recording.reader import read_session
-from insole_core.recording.session_layout import MANIFEST
-from insole_core.recording.writer import write_session
+from insole_core.recording.writer import MANIFEST, write_session
 from insole_core.records.content_store import ContentStore, DamagedContent
 from insole_core.records.context import put_file
 from insole_core.scans.scan_folder import part_content, scan_parts

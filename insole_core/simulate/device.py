@@ -10,7 +10,7 @@ from numpy.polynomial import chebyshev
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about
-from insole_core.recording.sensor_json import DEPTH_SIZE
+from insole_core.recording.sensor_folder import DEPTH_SIZE
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
-from insole_core.recording.sensor_json import DEPTH_SIZE
+from insole_core.recording.sensor_folder import DEPTH_SIZE
 from insole_core.resources import resource_path
 from insole_core.sensing.disparity import NO_READING
 

@@ -17,7 +17,7 @@ from insole_core.geometry.transforms import rigid, transform
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.box import Box
-from insole_core.recording.sensor_json import COLOR_SIZES
+from insole_core.recording.sensor_folder import COLOR_SIZES
 from insole_core.recording.session import (
     CaptureCondition,
     Manifest,

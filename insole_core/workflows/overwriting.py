@@ -8,7 +8,7 @@ from pathlib import Path
 
 from insole_core.errors import UsageError
 from insole_core.recording.hand_edits_file import edits_path
-from insole_core.recording.session_layout import is_input_name
+from insole_core.recording.writer import is_input_name
 from insole_core.regular_file import is_folder
 
 

@@ -32,8 +32,7 @@ from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import CaptureCondition, Manifest
-from insole_core.recording.session_layout import foreign_in_session
-from insole_core.recording.writer import write_session
+from insole_core.recording.writer import foreign_in_session, write_session
 from insole_studio.acquisition.capture_setup import Calibrated
 from insole_studio.acquisition.plan_request import kept_request
 

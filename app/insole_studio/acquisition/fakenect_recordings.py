@@ -10,7 +10,7 @@ import numpy as np
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, RawArray
-from insole_core.recording.sensor_json import COLOR_SIZES, DEPTH_SIZE
+from insole_core.recording.sensor_folder import COLOR_SIZES, DEPTH_SIZE
 from insole_core.recording.session import ReferenceSystem, View
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.sensor import Sensor

@@ -306,8 +306,7 @@ def _add_session_arguments(parser: argparse.ArgumentParser) -> None:
 def _run_session(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the session, calibrate it and write it."""
     from insole_core.recording.reader import read_session
-    from insole_core.recording.session_layout import check_session_target
-    from insole_core.recording.writer import write_session
+    from insole_core.recording.writer import check_session_target, write_session
     from insole_core.sensing.correction import load_correction
     from insole_core.workflows.calibration.calibrated_session import calibrated_session
 

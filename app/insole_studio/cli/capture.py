@@ -69,7 +69,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Capture every view, then move the session to its destination."""
-    from insole_core.recording.session_layout import check_session_target
+    from insole_core.recording.writer import check_session_target
 
     check_session_target(arguments.out)
     from insole_studio.acquisition.unfinished_captures import hold_draft, holding_target

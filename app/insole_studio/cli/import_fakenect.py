@@ -40,8 +40,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.calibration.markers.reference_file import load_reference_system
     from insole_core.geometry.side import Side
     from insole_core.recording.session import Manifest, Session
-    from insole_core.recording.session_layout import check_session_target
-    from insole_core.recording.writer import write_session
+    from insole_core.recording.writer import check_session_target, write_session
     from insole_core.resources import resource_path
     from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
     from insole_studio.acquisition.fakenect_recordings import read_view, recorded_at

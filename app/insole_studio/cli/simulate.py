@@ -75,8 +75,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Simulate a session and write it."""
-    from insole_core.recording.session_layout import check_session_target
-    from insole_core.recording.writer import write_session
+    from insole_core.recording.writer import check_session_target, write_session
     from insole_core.simulate import SimulationOptions, simulate_session
 
     check_session_target(arguments.out)

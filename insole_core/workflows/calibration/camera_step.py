@@ -20,7 +20,7 @@ from insole_core.errors import CalibrationError
 from insole_core.evaluation.calibration_sections import camera_section
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
-from insole_core.recording.sensor_json import COLOR_SIZES, DEPTH_SIZE
+from insole_core.recording.sensor_folder import COLOR_SIZES, DEPTH_SIZE
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.steps import COLOR, INFRARED, StepResult, board_pictures
 

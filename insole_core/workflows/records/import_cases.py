@@ -25,7 +25,7 @@ from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.file_digest import sha256_of
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.recording.session_layout import MANIFEST
+from insole_core.recording.writer import MANIFEST
 from insole_core.records.content_store import MOST_BYTES
 from insole_core.records.field_checks import check_text
 from insole_core.records.person import Person, PersonSummary, new_pseudonym

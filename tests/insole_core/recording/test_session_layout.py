@@ -12,8 +12,7 @@ from insole_core.errors import OutputError
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.session import Session
-from insole_core.recording.session_layout import foreign_in_session
-from insole_core.recording.writer import write_session
+from insole_core.recording.writer import foreign_in_session, write_session
 
 
 def test_a_session_with_all_that_belongs_to_it_is_no_stranger(folder: Path) -> None:
