@@ -34,8 +34,8 @@ from insole_core.calibration.walls.distortion import calibrate_distortion
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_about, rotation_angle_deg
 from insole_core.sensing.correction import DisparityCorrection
-from insole_core.sensing.nominal_kinect import BURRUS, DEPTH_CAMERA
 from insole_core.sensing.pinhole_camera import PinholeCamera
+from insole_core.sensing.sensor import BURRUS, DEPTH_CAMERA
 
 BOARD, BOARDS, INFRARED_BOARDS, CORNER_PX = Chequerboard(12, 8, 30), 48, 16, 0.1
 WALLS = (

@@ -24,8 +24,8 @@ from insole_core.calibration.walls.wall_plane import expected_raw, plane_rows
 from insole_core.evaluation.leave_one_out import leave_one_out
 from insole_core.evaluation.wall import WallError
 from insole_core.recording.images import encode_png
-from insole_core.sensing.nominal_kinect import BURRUS
-from insole_core.sensing.nominal_kinect import DEPTH_CAMERA as CAMERA
+from insole_core.sensing.sensor import BURRUS
+from insole_core.sensing.sensor import DEPTH_CAMERA as CAMERA
 
 FRAMES, DIFFERENT = (10, 100), 5
 DISTANCES_MM = np.arange(800, 1001, 10)

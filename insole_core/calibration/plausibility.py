@@ -18,9 +18,8 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.messages import Message, joined
 from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
-from insole_core.sensing.nominal_kinect import COLOR_CAMERA, DEPTH2COLOR, DEPTH_CAMERA
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import COLOR_CAMERA, DEPTH2COLOR, DEPTH_CAMERA, Sensor
 
 Kind = Literal["depth", "color"]
 

@@ -17,7 +17,6 @@ from insole_core.geometry.transforms import is_rotation, rigid
 from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
-from insole_core.sensing.calibration_record import UNITS, CalibrationRecord
 from insole_core.sensing.correction import DisparityCorrection, load_correction
 from insole_core.sensing.disparity import (
     DisparityModel,
@@ -26,7 +25,7 @@ from insole_core.sensing.disparity import (
     TangentDisparity,
 )
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import UNITS, CalibrationRecord, Sensor
 from insole_core.strict_json import MOST_BYTES
 
 DEPTH_SIZE = (640, 480)

@@ -1,17 +1,45 @@
-"""A calibrated depth sensor: its two cameras and the conversion from raw numbers to mm."""
+"""A calibrated depth sensor, how well it was calibrated, and a Kinect v1 before any calibration."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import Literal, get_args
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.geometry.transforms import transform
-from insole_core.sensing.calibration_record import CalibrationRecord
+from insole_core.geometry.transforms import rigid, transform
 from insole_core.sensing.correction import DisparityCorrection
-from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
+
+Unit = Literal["px", "raw", "mm"]
+UNITS: tuple[Unit, ...] = get_args(Unit)
+BURRUS = LinearInverseDisparity(3.3309495, -0.0030711016)
+"""Thesis (17), with the values that Burrus published."""
+DEPTH_CAMERA = PinholeCamera(640, 480, 585.0, 585.0, 319.5, 239.5)
+COLOR_CAMERA = PinholeCamera(1280, 1024, 1050.0, 1050.0, 639.5, 511.5)
+DEPTH2COLOR = rigid(np.eye(3), np.array([-25.0, 0.0, 0.0]))
+
+
+@dataclass(frozen=True)
+class CalibrationRecord:
+    """One step of a calibration, as it was done last.
+
+    Parameters
+    ----------
+    step
+        Key of its section in the report, such as ``camera`` or ``distortion``.
+    made_at
+        ISO 8601, UTC.
+    residual
+        What the step left unexplained (rms; of a shift the largest), in `unit`.
+    """
+
+    step: str
+    made_at: str
+    residual: float
+    unit: Unit
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,3 +111,16 @@ class Sensor:
         (..., 2) float64, px
         """
         return self.color_camera.project(transform(self.depth2color, points))
+
+
+def nominal_kinect(serial: str) -> Sensor:
+    """Return a Kinect v1 with the nominal parameters of its model."""
+    return Sensor(
+        model="kinect-v1",
+        serial=serial,
+        depth_camera=DEPTH_CAMERA,
+        color_camera=COLOR_CAMERA,
+        depth2color=DEPTH2COLOR,
+        disparity=BURRUS,
+        faces=("sole",),
+    )

@@ -45,7 +45,7 @@ from insole_core.records.visit import FollowUp, Visit
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.sensing.disparity import LinearInverseDisparity
-from insole_core.sensing.nominal_kinect import nominal_kinect
+from insole_core.sensing.sensor import nominal_kinect
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms
 from insole_core.workflows.clinic_findings import ClinicFindings

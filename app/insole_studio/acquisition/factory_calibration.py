@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from insole_core.sensing.disparity import FactoryDisparity
-from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import Sensor, nominal_kinect
 from kinect_v1.calibration import Calibration
 
 _MM_PER_CM = 10.0

@@ -61,7 +61,7 @@ def _run_step(
     InsoleError
     """
     from insole_core.errors import CalibrationError
-    from insole_core.sensing.nominal_kinect import nominal_kinect
+    from insole_core.sensing.sensor import nominal_kinect
     from insole_core.workflows.calibration.calibration_storage import keep_step
 
     check_reports(arguments)

@@ -85,7 +85,7 @@ def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
 
 def _named_sensor(arguments: argparse.Namespace) -> Sensor:
     from insole_core.recording.sensor_folder import read_sensor
-    from insole_core.sensing.nominal_kinect import nominal_kinect
+    from insole_core.sensing.sensor import nominal_kinect
 
     if arguments.serial and arguments.sensor:
         raise UsageError("--serial and --sensor both name a sensor; give one of them.")

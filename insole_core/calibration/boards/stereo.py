@@ -25,8 +25,8 @@ from insole_core.calibration.least_squares import (
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_angle_deg, transform
-from insole_core.sensing.calibration_record import Unit
 from insole_core.sensing.pinhole_camera import PinholeCamera
+from insole_core.sensing.sensor import Unit
 
 IR_TO_DEPTH_PX = (-4.8, -3.9)
 """Depth pixel minus infrared pixel of a Kinect v1: half of its correlation window."""

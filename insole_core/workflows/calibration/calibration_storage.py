@@ -9,7 +9,7 @@ from pathlib import Path
 
 from insole_core.files.transaction import Transaction
 from insole_core.regular_file import read_regular
-from insole_core.sensing.calibration_record import CalibrationRecord
+from insole_core.sensing.sensor import CalibrationRecord
 from insole_core.strict_json import MOST_BYTES
 from insole_core.workflows.calibration.report_files import make_report, report_paths, write_reports
 from insole_core.workflows.calibration.sensor_store import SensorStore

@@ -16,9 +16,7 @@ from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX, common_corners
 from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.report import ReportSection
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.calibration_record import Unit
-from insole_core.sensing.nominal_kinect import COLOR_CAMERA
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import COLOR_CAMERA, Sensor, Unit
 
 COLOR, INFRARED, DEPTH = "color", "ir", "depth"
 """Prefixes of the names of the pictures in a folder."""

@@ -26,8 +26,7 @@ from insole_core.evaluation.wall import Correction, NoCorrection
 from insole_core.evaluation.wall_pictures import wall_pictures
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.nominal_kinect import COLOR_CAMERA
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import COLOR_CAMERA, Sensor
 from insole_core.workflows.calibration.steps import StepResult
 
 

@@ -9,8 +9,7 @@ from typing import Final
 
 from insole_core.recording.reader import is_session, read_session
 from insole_core.records.capture import CaptureFacts
-from insole_core.sensing.calibration_record import CalibrationRecord
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import CalibrationRecord, Sensor
 
 _DISTORTION: Final = "distortion"
 _LEFT: Final = "rms_after_raw"

@@ -22,7 +22,7 @@ from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.leave_one_out import leave_one_out
 from insole_core.geometry.arrays import FloatArray
 from insole_core.progress import Cancelled, Progress
-from insole_core.sensing.nominal_kinect import BURRUS, DEPTH_CAMERA
+from insole_core.sensing.sensor import BURRUS, DEPTH_CAMERA
 
 ROWS = plane_rows(CAMERA)
 

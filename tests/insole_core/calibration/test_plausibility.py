@@ -22,9 +22,8 @@ from insole_core.errors import CalibrationError
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import LinearInverseDisparity
-from insole_core.sensing.nominal_kinect import nominal_kinect
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import Sensor, nominal_kinect
 
 FLAT = DisparityCorrection(np.zeros((480, 640), np.float32))
 SENSOR = replace(nominal_kinect("A1"), correction=FLAT)

@@ -20,11 +20,10 @@ from insole_core.recording.session import (
     View,
 )
 from insole_core.recording.writer import write_session
-from insole_core.sensing.calibration_record import CalibrationRecord
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.disparity import FactoryDisparity, LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import CalibrationRecord, Sensor
 
 
 def make_correction(serial: str) -> DisparityCorrection:

@@ -14,9 +14,8 @@ from insole_core.evaluation.report import ReportSection
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.records.capture import CaptureFacts
-from insole_core.sensing.calibration_record import CalibrationRecord
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
-from insole_core.sensing.nominal_kinect import nominal_kinect
+from insole_core.sensing.sensor import CalibrationRecord, nominal_kinect
 from insole_core.workflows.calibration.calibration_storage import keep_step
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult

@@ -11,7 +11,7 @@ from insole_core.calibration.markers.reference_file import save_reference_system
 from insole_core.errors import CalibrationError
 from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
-from insole_core.sensing.nominal_kinect import nominal_kinect
+from insole_core.sensing.sensor import nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.capture_setup import own_setup, recorded_setup
 

@@ -10,8 +10,7 @@ from insole_core.calibration.boards.board import Board, Chequerboard
 from insole_core.errors import InsoleError
 from insole_core.memo import Memo
 from insole_core.progress import Progress
-from insole_core.sensing.nominal_kinect import nominal_kinect
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import Sensor, nominal_kinect
 from insole_core.workflows.calibration.calibration_storage import keep_step, step_date
 from insole_core.workflows.calibration.picture_folders import LiveKind
 from insole_core.workflows.calibration.picture_readiness import Readiness

@@ -14,7 +14,7 @@ from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD, write_boards, write_walls
 
 from insole_core.calibration.plausibility import USUAL_DEPTH
-from insole_core.sensing.nominal_kinect import BURRUS, nominal_kinect
+from insole_core.sensing.sensor import BURRUS, nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application
