@@ -32,7 +32,7 @@ GUARDED = {
     ("drivers/kinect/kinect_v1/isochronous.py", "select.poll"),  # libusb has no files there
     ("insole_core/files/file_lock.py", "import fcntl"),  # else msvcrt
     ("insole_core/files/temporary.py", "os.getuid"),  # there all files are the user's
-    ("insole_core/files/file_mode.py", "os.chown"),  # there all groups are 0
+    ("insole_core/files/file_safety.py", "os.chown"),  # there all groups are 0
     ("insole_core/records/author.py", "import pwd"),  # else the access token
     ("insole_core/records/author.py", "os.getuid"),
     ("insole_core/records/backup/backup_folder.py", "os.posix_fadvise"),  # where it exists
@@ -83,7 +83,7 @@ def test_no_folder_of_posix_is_named() -> None:
     named = {name for name, text in sources() if FOLDER.search(text)}
     assert named == {
         "app/insole_studio/acquisition/examined_sensors.py",  # udev, on Linux only
-        "insole_core/files/processes.py",  # what only Linux tells of a process
+        "insole_core/files/temporary.py",  # what only Linux tells of a process
     }
 
 

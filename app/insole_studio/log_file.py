@@ -17,7 +17,7 @@ from typing import Final
 
 from insole_core.errors import InsoleError
 from insole_core.files.atomic import make_output_folder
-from insole_core.files.file_mode import PRIVATE_FILE
+from insole_core.files.file_safety import PRIVATE_FILE
 from insole_core.messages import Message
 
 log = logging.getLogger(__name__)

@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from insole_core.errors import OutputError
-from insole_core.files.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
+from insole_core.files.file_safety import PRIVATE_FILE, PRIVATE_FOLDER
 from insole_core.files.temporary import is_temporary, is_unfinished, make_folder, release, remove
 from insole_core.files.transaction import FindForeign, Transaction, any_file
 from insole_core.files.write_errors import describe, output_errors

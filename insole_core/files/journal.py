@@ -20,8 +20,7 @@ from itertools import count
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
-from insole_core.files.file_mode import PRIVATE_FILE, PRIVATE_FOLDER
-from insole_core.files.sync import sync
+from insole_core.files.file_safety import PRIVATE_FILE, PRIVATE_FOLDER, sync
 from insole_core.files.temporary import (
     NOTE_SUFFIX,
     is_left,

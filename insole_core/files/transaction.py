@@ -16,13 +16,12 @@ from types import TracebackType
 from typing import Self, TypeAlias
 
 from insole_core.errors import InputError, InsoleError, OutputError, UsageError
-from insole_core.files.file_mode import take_mode
+from insole_core.files.file_safety import sync_tree, take_mode
 from insole_core.files.journal import (
     Journal,
     Move,
     settle_interrupted,
 )
-from insole_core.files.sync import sync_tree
 from insole_core.files.temporary import (
     is_unfinished,
     make_file,

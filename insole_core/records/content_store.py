@@ -23,7 +23,7 @@ from typing import BinaryIO, Final
 from insole_core.errors import InputError, OutputError, RecordsError, Unreachable
 from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import make_private_folder, replacing_file
-from insole_core.files.sync import sync
+from insole_core.files.file_safety import sync
 from insole_core.files.temporary import is_temporary
 from insole_core.files.write_errors import output_errors
 from insole_core.given_file import given_errors

@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 from sqlalchemy import Connection, func, inspect, select, text
 
 from insole_core.errors import OutputError, RecordsError
-from insole_core.files.file_mode import PRIVATE_FILE
-from insole_core.files.sync import sync
+from insole_core.files.file_safety import PRIVATE_FILE, sync
 from insole_core.files.temporary import make_file, release, remove
 from insole_core.files.write_errors import output_errors
 from insole_core.records.author import Author

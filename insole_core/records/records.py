@@ -13,7 +13,7 @@ from sqlalchemy import Connection, Table, func, or_, select
 
 from insole_core.errors import InsoleError, RecordsError
 from insole_core.files.atomic import make_output_folder
-from insole_core.files.file_mode import PRIVATE_FILE
+from insole_core.files.file_safety import PRIVATE_FILE
 from insole_core.files.temporary import remove
 from insole_core.files.write_errors import output_errors
 from insole_core.messages import Message

@@ -26,7 +26,7 @@ import pyrage
 from insole_core.errors import InputError, InsoleError, OutputError, RecordsError
 from insole_core.files.atomic import make_private_folder, write_text
 from insole_core.files.file_lock import FileLock
-from insole_core.files.sync import sync
+from insole_core.files.file_safety import sync
 from insole_core.files.temporary import make_file, release, remove, sweep
 from insole_core.files.write_errors import output_errors
 from insole_core.given_file import read_given

@@ -22,8 +22,7 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from insole_core.errors import InsoleError, RecordsError
 from insole_core.files.atomic import make_output_folder, replacing_file
-from insole_core.files.file_mode import PRIVATE_FILE
-from insole_core.files.sync import sync
+from insole_core.files.file_safety import PRIVATE_FILE, sync
 from insole_core.files.temporary import make_file, release, remove
 from insole_core.files.write_errors import output_errors
 from insole_core.messages import Message, joined

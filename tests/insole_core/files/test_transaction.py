@@ -20,11 +20,10 @@ import killed_transaction
 import pytest
 
 from insole_core.errors import InputError, OutputError, UsageError
-from insole_core.files import journal, processes, temporary
+from insole_core.files import journal, temporary
 from insole_core.files.atomic import copy_into, replacing_file, replacing_folder, write_text
 from insole_core.files.journal import settle_interrupted
-from insole_core.files.processes import started, this_computer
-from insole_core.files.temporary import state_folder_of_user
+from insole_core.files.temporary import started, state_folder_of_user, this_computer
 from insole_core.files.transaction import Transaction, nothing_foreign
 
 OLD = {
@@ -641,7 +640,7 @@ def test_a_computer_is_the_same_for_all_processes_whatever_it_shows(
     """A container without a network card, and without the files of its system."""
     drawn = iter(range(1 << 40, (1 << 40) + 9))
     monkeypatch.setattr("uuid.getnode", lambda: next(drawn))
-    monkeypatch.setattr(processes, "_BOOT", tmp_path / "nothing")
+    monkeypatch.setattr(temporary, "_BOOT", tmp_path / "nothing")
     of_each_process = {this_computer.__wrapped__() for _ in range(2)}
     assert len(of_each_process) == 1
     monkeypatch.setattr("uuid.getnode", lambda: 0x001122334455)

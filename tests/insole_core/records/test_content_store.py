@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from insole_core.errors import InputError, OutputError, RecordsError, Unreachable
-from insole_core.files import sync
+from insole_core.files import file_safety
 from insole_core.progress import Progress
 from insole_core.records.content_store import (
     GRACE_S,
@@ -73,7 +73,7 @@ def test_file_then_folders_are_synced_before_put_returns(
         steps.append("rename")
         return real_replace(path, target)
 
-    monkeypatch.setattr(sync.os, "fsync", fsync)
+    monkeypatch.setattr(file_safety.os, "fsync", fsync)
     monkeypatch.setattr(Path, "replace", replace)
     store.put(SCAN)
     assert steps == ["sync contents", "sync file", "rename", f"sync {SHA[:2]}"]
