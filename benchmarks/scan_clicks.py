@@ -18,7 +18,7 @@ import numpy as np
 
 from benchmarks._scan_variants import KnownFoot, turned
 from benchmarks.scan_import import Result, examine_all, result_of
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_candidate import PoseClicks
 from insole_core.formats.ply import write_ply

@@ -21,7 +21,7 @@ from pathlib import Path
 
 from benchmarks._measure import print_table
 from benchmarks._scan_variants import KnownFoot, known_feet, quarter_turns, turned
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.formats.ply import write_ply

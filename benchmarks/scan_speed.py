@@ -31,7 +31,7 @@ print(time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 
 """
 _READ = "from insole_core.scans.mesh_file import read_mesh\nread_mesh(Path(sys.argv[1]))"
 _TO_FOOT = (
-    "from insole_core.cases.import_choice import ImportChoice\n"
+    "from insole_core.cases.scan_source import ImportChoice\n"
     "from insole_core.workflows.import_scan import examine_scan, take_foot\n"
     "seen = examine_scan(Path(sys.argv[1]))\n"
     "found = seen.feet[0]\n"

@@ -1,7 +1,4 @@
-"""Reading and writing of case files: one zip archive for each case (docs/formats/case.md).
-
-Patient files are read strictly: what is not understood is refused, never guessed.
-"""
+"""Reading and writing of case files: one zip archive for each case (docs/formats/case.md)."""
 
 from __future__ import annotations
 
@@ -10,11 +7,11 @@ import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from insole_core.cases.case_json import FORMAT, VERSION, case_from_json, case_to_json
-from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.case_record import FIRST_NAME, CaseRecord
 from insole_core.cases.stored_mesh import MAX_PART_BYTES, pack_mesh, unpack_mesh
-from insole_core.cases.version_1 import FOOT_NAME_1, as_version_2
 from insole_core.errors import InputError, unreadable
 from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import replacing_file
@@ -24,11 +21,37 @@ from insole_core.json_object import JsonObject
 from insole_core.strict_json import MOST_BYTES
 from insole_core.zip_archive import DamagedArchiveError, ZipArchive
 
+_FOOT_NAME_1 = "foot.npz"
 CASE_NAME = "case.json"
 FOOT_NAMES = {side: f"{side}.npz" for side in Side}
 MAX_CASE_BYTES = 3 * MAX_PART_BYTES
-_PARTS = (CASE_NAME, FOOT_NAME_1, *FOOT_NAMES.values())
+_PARTS = (CASE_NAME, _FOOT_NAME_1, *FOOT_NAMES.values())
 _WHEN = (1980, 1, 1, 0, 0, 0)
+
+
+def _as_version_2(case: JsonObject) -> JsonObject:
+    """Convert the root object of a case from version 1 to version 2.
+
+    Raises
+    ------
+    InputError
+        When a part is missing.
+    """
+    content: dict[str, Any] = {"patient": case.value("patient"), "feet": []}
+    annotations = case.value("annotations")
+    if case.has("foot"):
+        foot = case.object("foot")
+        content["at_hand"] = foot.value("side")
+        content["feet"] = [
+            {
+                **foot.values,
+                "source": case.value("source"),
+                "annotations": annotations,
+                "variants": [{"name": FIRST_NAME, "design": case.value("design")}],
+                "chosen": FIRST_NAME,
+            }
+        ]
+    return JsonObject(case.file, content)
 
 
 def write_case(
@@ -110,8 +133,8 @@ def _case_of(parts: dict[str, bytes], path: Path) -> CaseRecord:
     case = JsonObject.parse(f"{path}: {CASE_NAME}", parts[CASE_NAME])
     names = dict(FOOT_NAMES)
     if case.check_format(FORMAT, VERSION) < VERSION:
-        case = as_version_2(case)
-        names = dict.fromkeys(Side, FOOT_NAME_1)
+        case = _as_version_2(case)
+        names = dict.fromkeys(Side, _FOOT_NAME_1)
 
     def mesh_of(side: Side) -> TriangleMesh:
         name = names[side]

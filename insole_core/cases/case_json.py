@@ -16,11 +16,9 @@ from insole_core.cases.case_record import (
     ReferencePlane,
     Variant,
 )
-from insole_core.cases.choice_json import choice_from_json, choice_to_json
-from insole_core.cases.import_choice import NOTHING_SAID
 from insole_core.cases.order_note import OrderNote, note_from_json, note_to_json
 from insole_core.cases.plantar_json import plantar_from_json, plantar_to_json
-from insole_core.cases.scan_source import ScanSource
+from insole_core.cases.scan_source import NOTHING_SAID, ScanSource, choice_from_json, choice_to_json
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

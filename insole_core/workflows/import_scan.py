@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
+from insole_core.cases.scan_source import NOTHING_SAID, ImportChoice
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot
 from insole_core.foot.foot_placement import placed_foot

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
+from insole_core.cases.scan_source import NOTHING_SAID, ImportChoice
 from insole_core.errors import UsageError
 from insole_core.foot.foot_placement import DoubtfulScanError
 from insole_core.geometry.side import Side

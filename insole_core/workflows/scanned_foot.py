@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.cases.import_choice import NOTHING_SAID, ImportChoice
-from insole_core.cases.scan_source import ScanSource
+from insole_core.cases.scan_source import NOTHING_SAID, ImportChoice, ScanSource
 from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.imprints.form import Form

@@ -15,7 +15,7 @@ from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import number
 
 if TYPE_CHECKING:
-    from insole_core.cases.import_choice import ImportChoice
+    from insole_core.cases.scan_source import ImportChoice
     from insole_core.foot.foot import Foot
     from insole_core.workflows.scanned_foot import ScannedFoot
 
@@ -83,7 +83,7 @@ def said_of_scan(arguments: argparse.Namespace, *, force: bool = False) -> Impor
     UsageError
         When some of the three points are missing.
     """
-    from insole_core.cases.import_choice import ImportChoice
+    from insole_core.cases.scan_source import ImportChoice
     from insole_core.foot.foot_candidate import PoseClicks
     from insole_core.scans.scale import KnownFootLength, KnownShoeSize
 

@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 from benchmarks._odd_scans import last_form
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InputError
 from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.foot.foot_placement import DoubtfulScanError

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.foot.foot_placement import SideMismatchError
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh

@@ -11,7 +11,7 @@ import pytest
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh

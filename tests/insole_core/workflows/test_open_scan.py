@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InputError, UsageError
 from insole_core.foot.foot_candidate import PoseClicks
 from insole_core.foot.foot_placement import DoubtfulScanError

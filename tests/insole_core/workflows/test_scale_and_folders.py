@@ -10,7 +10,7 @@ import pytest
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InputError
 from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
 from insole_core.formats.stl import write_stl

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot

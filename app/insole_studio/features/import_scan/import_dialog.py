@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.formats.units import Unit
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject
 
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.foot_candidate import FootCandidate, FoundFoot, PoseClicks
 from insole_core.formats.units import Unit

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.cases.import_choice import ImportChoice
+from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
