@@ -1,4 +1,4 @@
-"""What a file of plantar pressure holds of one foot: its frames, in which unit, and what it says."""
+"""What a file of plantar pressure holds of one foot: its frames, their unit, what it says."""
 
 from __future__ import annotations
 

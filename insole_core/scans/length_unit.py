@@ -11,7 +11,7 @@ import numpy as np
 from insole_core.formats.units import MM_PER_UNIT, UNIT_NAMES, Unit, UnitError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import in_large_pieces
-from insole_core.scans.sheets import without_sheet
+from insole_core.scans.surroundings import without_sheet
 
 _LENGTH_MM = (80.0, 600.0)  # of a foot or a part of it, with or without the lower leg
 _FOOT_MM = (140.0, 330.0)  # of a whole foot; no number is one of these in two units
