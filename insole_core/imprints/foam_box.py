@@ -19,10 +19,14 @@ from insole_core.geometry.mesh_graph import pieces, relaxed
 from insole_core.geometry.sampling import area_samples
 from insole_core.geometry.sections import cut_off
 from insole_core.geometry.transforms import transform
-from insole_core.imprints.foam_edge import curled_over
 from insole_core.imprints.planes import Plane, large_planes
-from insole_core.imprints.pressed_regions import PressedRegion, pressed_regions
-from insole_core.imprints.relief import Relief, ReliefViewer
+from insole_core.imprints.relief import (
+    PressedRegion,
+    Relief,
+    ReliefViewer,
+    curled_over,
+    pressed_regions,
+)
 
 _SAMPLES = 4000
 _LEAST_RIM_MM2 = 3000.0

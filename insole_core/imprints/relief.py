@@ -1,4 +1,4 @@
-"""A surface as it is seen along the normal of a plane: heights over it, on a grid."""
+"""A surface over a plane: its relief, the regions pressed into it, and the edge that curls."""
 
 from __future__ import annotations
 
@@ -15,6 +15,23 @@ from insole_core.imprints.planes import Plane
 
 _COARSE_MM, _FINE_MM, _MOST_CELLS = 2.0, 1.0, 120_000
 _MARGIN_MM = 10.0
+_LEVELS_MM = (5.0, 8.0, 11.0, 15.0, 20.0)
+"""Depths at which imprints are looked for; deeper ones where two imprints run into each other."""
+_DEEPEST_MM = 60.0
+_RIM_MM = (-4.0, 12.0)
+"""Heights of undisturbed foam, and of the carton around it."""
+_LENGTH_MM, _WIDTH_TO_LENGTH = (100.0, 340.0), (0.2, 0.62)
+_PART_MM2 = 60.0
+_GAP_MM = 30.0  # between the parts of one imprint, such as the toes and the ball
+_RING_MM, _SURROUNDED = 14.0, 0.6
+_DEPTH_MM = 6.0
+_MOST_FEET = 2
+_DEEPEST_EDGE_MM = 8.0
+"""Depth below the rim to which an edge can curl; a ridge between two toes lies deeper."""
+_REACH_MM = 4.0
+_STEEP, _EASED = 1.2, 0.6
+"""Slope of a wall, and the share of it below which the foam beside its upper end curls over."""
+_STEP_MM, _NOISE_MM = 0.5, 0.7
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,3 +130,155 @@ def _frame(plane: Plane, sign: int) -> FloatArray:
     x = np.cross(aside, up)
     x /= np.linalg.norm(x)
     return rigid(np.stack([x, np.cross(up, x), up]), np.array([0.0, 0.0, -sign * plane.offset_mm]))
+
+
+@dataclass(frozen=True, eq=False)
+class PressedRegion:
+    """Where one foot was pressed in.
+
+    Parameters
+    ----------
+    mask : (ny, nx) bool
+        Nodes of the relief.
+    depth_mm
+        Of its deepest part below the plane.
+    length_mm, width_mm
+        Of the region below the level at which it was found.
+    facing
+        Mean z of the normals of its floor, as the surface has them: > 0 for a hollow.
+    flatness
+        Share of its area that lies deeper than half its depth.
+    """
+
+    mask: BoolArray
+    depth_mm: float
+    length_mm: float
+    width_mm: float
+    facing: float
+    flatness: float
+
+
+def pressed_regions(relief: Relief) -> list[PressedRegion]:
+    """Find the regions below z = 0 that are as large as a foot and surrounded by a rim.
+
+    Returns
+    -------
+    list of PressedRegion
+        Two at most; none where there is no imprint.
+    """
+    best: list[PressedRegion] = []
+    for level_mm in _LEVELS_MM:
+        found = _at_level(relief, level_mm)
+        if len(found) > len(best):
+            best = found
+    return best
+
+
+def _at_level(relief: Relief, level_mm: float) -> list[PressedRegion]:
+    low = (relief.heights_mm < -level_mm) & (relief.heights_mm > -_DEEPEST_MM)
+    parts, count = scipy.ndimage.label(_holes_filled(low, relief), np.ones((3, 3)))
+    sizes = np.bincount(parts.ravel(), minlength=count + 1) * relief.cell_mm**2
+    large = [n for n in range(1, count + 1) if sizes[n] > _PART_MM2]
+    masks = _grouped([parts == n for n in sorted(large, key=lambda n: -sizes[n])], relief)
+    regions = [region for mask in masks if (region := _region(mask, relief)) is not None]
+    return regions if len(regions) <= _MOST_FEET else []
+
+
+def _holes_filled(low: BoolArray, relief: Relief) -> BoolArray:
+    """Add what is enclosed and was not measured, such as steep walls."""
+    missing = np.isnan(relief.heights_mm)
+    enclosed = missing & scipy.ndimage.binary_fill_holes(~missing)
+    return np.asarray(low | (enclosed & _near(low, relief)))
+
+
+def _near(mask: BoolArray, relief: Relief) -> BoolArray:
+    return np.asarray(scipy.ndimage.distance_transform_edt(~mask) * relief.cell_mm < _RING_MM)
+
+
+def _grouped(parts: list[BoolArray], relief: Relief) -> list[BoolArray]:
+    """Join parts, the largest first, that make one longish shape with a larger one near them."""
+    groups: list[BoolArray] = []
+    for part in parts:
+        for number, group in enumerate(groups):
+            gap = scipy.ndimage.distance_transform_edt(~group)[part].min() * relief.cell_mm
+            if gap < _GAP_MM and _is_foot_like(*_extents(group | part, relief)):
+                groups[number] = group | part
+                break
+        else:
+            groups.append(part)
+    return groups
+
+
+def _extents(mask: BoolArray, relief: Relief) -> tuple[float, float]:
+    """Return length and width of a region along its main directions, mm."""
+    places = relief.positions(mask)
+    centred = places - places.mean(axis=0)
+    along = centred @ np.linalg.eigh(centred.T @ centred)[1]
+    width, length = np.ptp(along, axis=0)
+    return float(length), float(width)
+
+
+def _is_foot_like(length_mm: float, width_mm: float) -> bool:
+    least, most = _WIDTH_TO_LENGTH
+    fits = _LENGTH_MM[0] <= length_mm <= _LENGTH_MM[1]
+    return fits and least <= width_mm / length_mm <= most
+
+
+def _region(mask: BoolArray, relief: Relief) -> PressedRegion | None:
+    length_mm, width_mm = _extents(mask, relief)
+    if not _is_foot_like(length_mm, width_mm) or _surrounded(mask, relief) < _SURROUNDED:
+        return None
+    heights: FloatArray = relief.heights_mm[mask]
+    measured = np.isfinite(heights)
+    depth_mm = -float(np.quantile(heights[measured], 0.02))
+    if depth_mm < _DEPTH_MM:
+        return None
+    floor = mask & (relief.heights_mm < -0.5 * depth_mm)
+    facing = float(np.mean(relief.facing[floor]))
+    return PressedRegion(
+        mask, depth_mm, length_mm, width_mm, facing, float(floor.sum() / measured.sum())
+    )
+
+
+def _surrounded(mask: BoolArray, relief: Relief) -> float:
+    """Return the share of the surroundings of a region that is rim."""
+    ring = _near(mask, relief) & ~mask
+    heights = relief.heights_mm[ring]
+    return float(((heights > _RIM_MM[0]) & (heights < _RIM_MM[1])).mean())
+
+
+def curled_over(relief: Relief) -> BoolArray:
+    """Return the nodes (ny, nx) that lie over a wall close by and are much less steep than it.
+
+    A sole has no such edge: its arch bends over tens of millimetres.
+    """
+    heights = _smoothed(relief)
+    slope = np.hypot(*np.gradient(heights, relief.cell_mm))
+    below = _steepest_below(heights, slope, round(_REACH_MM / relief.cell_mm))
+    return np.asarray((heights > -_DEEPEST_EDGE_MM) & (below > _STEEP) & (slope < _EASED * below))
+
+
+def _smoothed(relief: Relief) -> FloatArray:
+    """Return the heights without noise; what was not measured gets the nearest height."""
+    missing = np.isnan(relief.heights_mm)
+    nearest = scipy.ndimage.distance_transform_edt(
+        missing, return_distances=False, return_indices=True
+    )
+    heights = relief.heights_mm[tuple(nearest)]
+    return np.asarray(scipy.ndimage.gaussian_filter(heights, _NOISE_MM / relief.cell_mm))
+
+
+def _steepest_below(heights: FloatArray, slope: FloatArray, reach: int) -> FloatArray:
+    """Return the greatest slope of the lower nodes within some nodes; 0 where there is none."""
+    padded_heights = np.pad(heights, reach, constant_values=np.inf)
+    padded_slope = np.pad(slope, reach)
+    rows, columns = heights.shape
+    steepest = np.zeros_like(heights)
+    for i in range(2 * reach + 1):
+        for j in range(2 * reach + 1):
+            if (i - reach) ** 2 + (j - reach) ** 2 > reach**2:
+                continue
+            window = slice(i, i + rows), slice(j, j + columns)
+            lower = padded_heights[window] < heights - _STEP_MM
+            steepest = np.maximum(steepest, np.where(lower, padded_slope[window], 0.0))
+    return steepest
