@@ -1,7 +1,8 @@
-"""Calibration boards and their detection in pictures."""
+"""Calibration boards, their detection in pictures, and the regions of the image they have reached."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -11,7 +12,7 @@ import cv2
 import numpy as np
 
 from insole_core.errors import CalibrationError, InputError, UsageError
-from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.arrays import ByteArray, FloatArray, IntArray
 from insole_core.messages import Message
 from insole_core.recording.images import read_picture
 
@@ -22,6 +23,9 @@ _BLURRED_EDGE_PX = 4.5
 _EDGE_UNKNOWN_PX = 9999.0
 """Result of OpenCV where the squares are too small to judge."""
 _SQUARE_MM = (5.0, 200.0)
+_CELLS = (6, 8)
+_VERTICAL = ("upper", "middle", "lower")
+_HORIZONTAL = ("left", "centre", "right")
 
 
 @dataclass(frozen=True, eq=False)
@@ -318,3 +322,26 @@ def _check_grid(columns: int, rows: int, square_mm: float, least: int) -> None:
             low_mm=low,
             high_mm=high,
         )
+
+
+def count_corners(detections: Sequence[BoardDetection]) -> IntArray:
+    """Count the corners in each of 6 x 8 cells of the image."""
+    counts = np.zeros(_CELLS, dtype=np.int64)
+    for detection in detections:
+        width, height = detection.size
+        column = np.clip(detection.pixels[:, 0] * _CELLS[1] / width, 0, _CELLS[1] - 1).astype(int)
+        row = np.clip(detection.pixels[:, 1] * _CELLS[0] / height, 0, _CELLS[0] - 1).astype(int)
+        np.add.at(counts, (row, column), 1)
+    return counts
+
+
+def missing_regions(counts: IntArray) -> tuple[str, ...]:
+    """Name the ninths of the image of which more than half was not reached."""
+    rows = np.array_split(np.arange(counts.shape[0]), 3)
+    columns = np.array_split(np.arange(counts.shape[1]), 3)
+    return tuple(
+        f"{vertical} {horizontal}"
+        for vertical, i in zip(_VERTICAL, rows, strict=True)
+        for horizontal, j in zip(_HORIZONTAL, columns, strict=True)
+        if (counts[np.ix_(i, j)] == 0).mean() > 0.5
+    )

@@ -10,8 +10,13 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.boards.board import Board, BoardDetection, read_grey
-from insole_core.calibration.boards.picture_coverage import count_corners, missing_regions
+from insole_core.calibration.boards.board import (
+    Board,
+    BoardDetection,
+    count_corners,
+    missing_regions,
+    read_grey,
+)
 from insole_core.calibration.least_squares import Blocks, least_squares, pose, pose_vector
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray

@@ -12,12 +12,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from insole_core.calibration.markers.face_links import Faces, linked_faces
 from insole_core.calibration.markers.marker_bundle import (
     Adjusted,
+    Faces,
     KnownLength,
     MarkerView,
     adjust_bundle,
+    linked_faces,
 )
 from insole_core.calibration.markers.reference_file import BumpCheck, check_for_bump, positions
 from insole_core.errors import CalibrationError

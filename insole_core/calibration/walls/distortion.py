@@ -9,8 +9,16 @@ from datetime import UTC, datetime
 import numpy as np
 
 from insole_core.calibration.walls.captures import WallCapture, check_same_device
-from insole_core.calibration.walls.map_blocks import BLOCK_PX, MapBlocks, blocks_of, to_pixels
-from insole_core.calibration.walls.smooth_map import SPAN_RAW, BlockMap, Smoothing, solve_map
+from insole_core.calibration.walls.smooth_map import (
+    BLOCK_PX,
+    SPAN_RAW,
+    BlockMap,
+    MapBlocks,
+    Smoothing,
+    blocks_of,
+    solve_map,
+    to_pixels,
+)
 from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.messages import Message, joined

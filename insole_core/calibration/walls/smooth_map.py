@@ -1,27 +1,20 @@
-"""Least squares for a smooth map that varies with disparity, together with every wall's plane.
-
-The unknowns are, for each block of pixels, an offset D and its change S with the raw number
-(Herrera, Kannala and Heikkilä 2012), and for each wall whose plane is not known
-three corrections q of that plane. A wall i measures in block b
-
-    residual_ib = D_b + S_b t_ib + row_b · q_i + noise,    t = (1 - exp(-k l)) / k,
-
-where l = (level - reference) / 100 and k is the decay that all blocks have in common: S = -k D is
-Herrera's D exp(-k l). The bending of D and S is kept small, and outliers lose their weight (Tukey).
-"""
+"""A smooth map that varies with disparity, solved on blocks together with every wall's plane."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+import cv2
 import numpy as np
 import scipy
 
-from insole_core.calibration.walls.map_blocks import MapBlocks, bending
-from insole_core.geometry.arrays import FloatArray
+from insole_core.calibration.walls.wall_plane import WallFit
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.sensing.correction import decay_lever
 
+BLOCK_PX = 8
 SPAN_RAW = 100.0
 """Raw units per unit of l."""
 _ROUNDS = 3
@@ -34,6 +27,109 @@ _LEAST_NOISE_RAW = 0.3
 """Least scale for judging outliers: the map itself is not more accurate."""
 _PROBE_STEP = 16
 """Step in blocks: the variance is smooth, and every probe costs a solution."""
+
+
+@dataclass(frozen=True, eq=False)
+class MapBlocks:
+    """Residuals of n captures, averaged over blocks of 8 x 8 pixels.
+
+    Averaging bridges the column bands and the centre line of the device, which are narrower than
+    the distortion and move with the distance.
+
+    Parameters
+    ----------
+    residual : (n, blocks) float64, raw units
+        Measured minus expected raw number.
+    weight : (n, blocks) float64
+        Share of the block that shows the wall.
+    level : (n, blocks) float64, raw units
+        The measured raw number, at which a correction is applied.
+    rows : (blocks, 3) float64
+        The row (x, y, 1) at each block's centre.
+    free_plane : (n,) bool
+        Whether a capture's plane is still to be adjusted.
+    shape
+        Rows and columns of blocks.
+    """
+
+    residual: FloatArray
+    weight: FloatArray
+    level: FloatArray
+    rows: FloatArray
+    free_plane: BoolArray
+    shape: tuple[int, int]
+
+
+def blocks_of(walls: Sequence[WallFit], rows: FloatArray) -> MapBlocks:
+    """Average the residuals of the captures over blocks.
+
+    Parameters
+    ----------
+    rows : (480, 640, 3) from `plane_rows`
+    """
+    weight = np.stack([_means(wall.wall.astype(float)) for wall in walls])
+    residual = np.stack([_means(np.nan_to_num(wall.residual_raw)) for wall in walls])
+    expected = np.stack([_means(np.nan_to_num(wall.expected_raw)) for wall in walls])
+    residual = np.divide(residual, weight, out=np.zeros_like(weight), where=weight > 0)
+    return MapBlocks(
+        residual=residual,
+        weight=weight,
+        level=expected + residual,
+        rows=np.stack([_means(rows[..., axis]) for axis in range(3)], axis=-1),
+        free_plane=np.array([wall.capture.plane is None for wall in walls]),
+        shape=(rows.shape[0] // BLOCK_PX, rows.shape[1] // BLOCK_PX),
+    )
+
+
+def bending(shape: tuple[int, int]) -> scipy.sparse.csc_array:
+    """Return the quadratic form of the squared second differences of a map of blocks."""
+    height, width = shape
+    across, down = scipy.sparse.eye_array(width), scipy.sparse.eye_array(height)
+    operator = scipy.sparse.vstack(
+        [
+            scipy.sparse.kron(down, _differences(width, (1.0, -2.0, 1.0))),
+            scipy.sparse.kron(_differences(height, (1.0, -2.0, 1.0)), across),
+            np.sqrt(2.0)
+            * scipy.sparse.kron(
+                _differences(height, (-1.0, 1.0)), _differences(width, (-1.0, 1.0))
+            ),
+        ]
+    )
+    return scipy.sparse.csc_array(operator.T @ operator)
+
+
+def to_pixels(values: FloatArray, shape: tuple[int, int]) -> FloatArray:
+    """Interpolate one value per block to every pixel; the border is extrapolated along its slope.
+
+    Parameters
+    ----------
+    values : (blocks,) float64
+    shape
+        Rows and columns of blocks.
+
+    Returns
+    -------
+    (height, width) float64
+    """
+    padded = np.pad(values.reshape(shape), 1, mode="reflect", reflect_type="odd")
+    size = (padded.shape[1] * BLOCK_PX, padded.shape[0] * BLOCK_PX)
+    fine = cv2.resize(padded, size, interpolation=cv2.INTER_CUBIC)
+    return np.asarray(fine[BLOCK_PX:-BLOCK_PX, BLOCK_PX:-BLOCK_PX])
+
+
+def _means(image: FloatArray) -> FloatArray:
+    height, width = image.shape
+    blocks = image.reshape(height // BLOCK_PX, BLOCK_PX, width // BLOCK_PX, BLOCK_PX)
+    return np.asarray(blocks.mean(axis=(1, 3)).ravel())
+
+
+def _differences(count: int, stencil: tuple[float, ...]) -> scipy.sparse.dia_array:
+    rows = count - len(stencil) + 1
+    return scipy.sparse.diags_array(
+        [np.full(rows, value) for value in stencil],
+        offsets=list(range(len(stencil))),
+        shape=(rows, count),
+    )
 
 
 @dataclass(frozen=True)

@@ -1,17 +1,24 @@
-"""Detection of the wall and its plane in a depth image, whatever else is in view."""
+"""The plane of a wall: detected in a depth image, or known from a board that the colour sees."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 import cv2
 import numpy as np
 
+from insole_core.calibration.boards.board import Board, picture_paths, read_grey
+from insole_core.calibration.boards.boards_in_depth import board_planes
+from insole_core.calibration.boards.stereo import board_pose
 from insole_core.calibration.walls.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.progress import SILENT, Progress
 from insole_core.sensing.disparity import DisparityModel
 from insole_core.sensing.pinhole_camera import PinholeCamera
+from insole_core.sensing.sensor import Sensor
 
 _TRIALS = 200
 _SEARCH_STEP, _FIT_STEP = 16, 8
@@ -158,3 +165,41 @@ def _largest_region(near: BoolArray) -> BoolArray:
         return near
     largest = 1 + int(np.argmax(stats[1:, cv2.CC_STAT_AREA]))
     return np.asarray(labels == largest)
+
+
+def with_board_planes(
+    captures: Sequence[WallCapture],
+    folder: Path,
+    board: Board,
+    sensor: Sensor,
+    progress: Progress = SILENT,
+) -> list[WallCapture]:
+    """Add the planes to wall captures: ``color…`` beside the frames shows a board on the wall.
+
+    With known planes the distortion includes the tilt and shift that walls alone cannot determine.
+
+    Parameters
+    ----------
+    captures
+        Named as their sub-folders of `folder`.
+    sensor
+        Its colour camera and the pose between its cameras are calibrated.
+
+    Raises
+    ------
+    InputError
+        If a wall has no colour picture.
+    CalibrationError
+        If the picture shows no board.
+    """
+    known = []
+    for done, capture in enumerate(captures):
+        progress.step(
+            done / len(captures), "Looking for the board on {capture}", capture=capture.name
+        )
+        picture = picture_paths(folder / capture.name, "color")[0]
+        detection = board.find(f"{capture.name}/{picture.name}", read_grey(picture))
+        board2color = board_pose(detection, sensor.color_camera)
+        (plane,) = board_planes(board2color[None], sensor.depth2color)
+        known.append(replace(capture, plane=plane))
+    return known

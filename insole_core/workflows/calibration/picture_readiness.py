@@ -10,7 +10,13 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.boards.board import Board, BoardDetection, read_grey
+from insole_core.calibration.boards.board import (
+    Board,
+    BoardDetection,
+    count_corners,
+    missing_regions,
+    read_grey,
+)
 from insole_core.calibration.boards.board_plan import (
     EACH_WITH_DEPTH,
     EACH_WITH_INFRARED,
@@ -19,7 +25,6 @@ from insole_core.calibration.boards.board_plan import (
     turn_of,
     turns_text,
 )
-from insole_core.calibration.boards.picture_coverage import count_corners, missing_regions
 from insole_core.calibration.walls.captures import WallCapture, read_captures
 from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError

@@ -19,7 +19,7 @@ from insole_core.calibration.walls.disparity_fit import (
     fit_tangent,
 )
 from insole_core.calibration.walls.distortion import calibrate_distortion
-from insole_core.calibration.walls.wall_boards import with_board_planes
+from insole_core.calibration.walls.wall_plane import with_board_planes
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.calibration_sections import disparity_section, distortion_section
 from insole_core.evaluation.wall import Correction, NoCorrection

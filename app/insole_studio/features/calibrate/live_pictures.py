@@ -12,8 +12,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from insole_core.calibration.boards.board import Board
-from insole_core.calibration.boards.picture_coverage import count_corners
+from insole_core.calibration.boards.board import Board, count_corners
 from insole_core.calibration.walls.captures import capture_from_frames
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
