@@ -19,7 +19,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.sensing.disparity import NO_READING
 from insole_core.simulate.block_matching import MatchedRecording, Matcher, record_matched_depth
 from insole_core.simulate.device import Device, make_device
-from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.scene import SceneCaster
 
 DISTANCES_MM = (880, 900, 920, 940, 960, 980, 1000, 1100, 1430)
 RADIUS_MM = 100.0

@@ -19,8 +19,7 @@ from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.block_matching import Matcher, record_matched_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.poses import look_at
-from insole_core.simulate.ray_caster import SceneCaster
-from insole_core.simulate.scene import build_scene, load_reference_system
+from insole_core.simulate.scene import SceneCaster, build_scene, load_reference_system
 from training.feet import varied_foot
 from training.light import varied_shading
 from training.random_objects import varied_stack, varied_thing

@@ -20,7 +20,7 @@ from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.simulate.device import BLIND_COLUMNS, WINDOW_PX, Device
 from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
-from insole_core.simulate.ray_caster import Hits, SceneCaster
+from insole_core.simulate.scene import Hits, SceneCaster
 
 _SUBSAMPLES = 4
 _BRIGHT_MM = 800.0

@@ -11,7 +11,7 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, Floa
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
-from insole_core.simulate.ray_caster import Hits, SceneCaster
+from insole_core.simulate.scene import Hits, SceneCaster
 
 _BACKGROUND = 26.0
 _AMBIENT = 0.42

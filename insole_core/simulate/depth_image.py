@@ -22,7 +22,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, RawArray
 from insole_core.geometry.transforms import transform
 from insole_core.sensing.disparity import NO_READING
 from insole_core.simulate.device import BLIND_COLUMNS, WINDOW_PX, Device
-from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.scene import SceneCaster
 
 TEMPORAL_RAW = 0.36
 TEMPORAL_SLOPE_RAW = 0.45

@@ -1,14 +1,17 @@
-"""The measures of a simulated foot."""
+"""The measures of a simulated foot, and the ranges of values that can be simulated."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
+from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
-from insole_core.simulate.simulation_limits import Limits, check_limits
 
+Limits = Mapping[str, tuple[str, float, float]]
+"""Attribute -> description, least and greatest value."""
 _LIMITS: Limits = {
     "length_mm": ("length of the simulated foot (mm)", 180, 290),
     "ball_width_mm": ("ball width of the simulated foot (mm)", 70, 120),
@@ -16,6 +19,33 @@ _LIMITS: Limits = {
     "arch_height_mm": ("arch height of the simulated foot (mm)", 10, 32),
     "rearfoot_eversion_deg": ("rearfoot eversion of the simulated foot (degrees)", -15, 15),
 }
+
+
+def check_limits(values: object, limits: Limits) -> None:
+    """Check the attributes of an object against their limits.
+
+    Parameters
+    ----------
+    values
+        Any object that has the attributes; one that is None is not checked.
+    limits
+        Both ends are included.
+
+    Raises
+    ------
+    UsageError
+        Names the first attribute that is out of range or NaN.
+    """
+    for attribute, (words, low, high) in limits.items():
+        value = getattr(values, attribute)
+        if value is not None and not low <= value <= high:
+            raise UsageError(
+                "The {what} cannot be {value:g}; choose a value from {least:g} to {most:g}.",
+                what=words,
+                value=value,
+                least=low,
+                most=high,
+            )
 
 
 @dataclass(frozen=True)

@@ -30,12 +30,10 @@ from insole_core.simulate.color_image import ColorRecording, record_color
 from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.foot_model import DEFAULT_CELL_MM, FootModel, build_foot
-from insole_core.simulate.foot_shape import FootShape, vary_shape
+from insole_core.simulate.foot_shape import FootShape, Limits, check_limits, vary_shape
 from insole_core.simulate.known_bodies import KnownBody
 from insole_core.simulate.poses import AROUND_ONE_FOOT, Stand, stand_sensor, stands_around_both
-from insole_core.simulate.ray_caster import SceneCaster
-from insole_core.simulate.scene import build_scene, joined, load_reference_system
-from insole_core.simulate.simulation_limits import Limits, check_limits
+from insole_core.simulate.scene import SceneCaster, build_scene, joined, load_reference_system
 
 _VOLUME = Box((-72.0, -150.0, -25.0), (72.0, 150.0, 165.0))
 _ONE_FOOT, _BOTH_FEET = "lego-20", "lego-40"

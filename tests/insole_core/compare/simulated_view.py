@@ -14,8 +14,7 @@ from insole_core.simulate.color_image import record_color
 from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import make_device
 from insole_core.simulate.poses import look_at
-from insole_core.simulate.ray_caster import SceneCaster
-from insole_core.simulate.scene import joined
+from insole_core.simulate.scene import SceneCaster, joined
 from insole_core.simulate.simulation import Recorder
 
 _PLASTER: tuple[int, int, int] = (226, 222, 212)

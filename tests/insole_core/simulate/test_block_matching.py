@@ -16,7 +16,7 @@ from insole_core.simulate import SimulationOptions, simulate_session
 from insole_core.simulate.block_matching import MatchedRecording, record_matched_depth
 from insole_core.simulate.device import Device, make_device
 from insole_core.simulate.dot_pattern import DotPattern
-from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.scene import SceneCaster
 
 DISTANCE_MM = 750.0
 CENTRE = (slice(200, 280), slice(290, 350))

@@ -7,8 +7,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.simulate.color_image import record_color
 from insole_core.simulate.device import make_device
-from insole_core.simulate.ray_caster import SceneCaster
-from insole_core.simulate.scene import joined
+from insole_core.simulate.scene import SceneCaster, joined
 
 AWAY_MM = 800.0
 

@@ -10,7 +10,7 @@ from insole_core.geometry.transforms import rotation_about
 from insole_core.sensing.disparity import NO_READING
 from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import BASELINE_MM, Device, make_device
-from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.scene import SceneCaster
 
 DISTANCE_MM = 750.0
 CENTRE = (slice(170, 310), slice(250, 390))

@@ -28,7 +28,7 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.device import Device
-from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.scene import SceneCaster
 
 DISTANCE_MM = 700.0
 SENSOR = Sensor(

@@ -26,7 +26,7 @@ from insole_core.simulate.device import make_device
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.simulate.poses import look_at
-from insole_core.simulate.ray_caster import SceneCaster
+from insole_core.simulate.scene import SceneCaster
 
 SENSOR = Sensor(
     "kinect-v1",
