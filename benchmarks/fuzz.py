@@ -459,7 +459,7 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         check_reference_system,
         load_reference_system,
     )
-    from insole_core.compare.picked_points import fit_points, read_picked_points
+    from insole_core.compare.best_fit import fit_points, read_picked_points
     from insole_core.evaluation.acceptance_limits import load_limits
     from insole_core.evaluation.marked_points import load_correspondences, load_object_points
     from insole_core.foot.landmarks import find_landmarks

@@ -1,25 +1,39 @@
-"""Comparison of two surfaces: align one with the other, then measure how far they differ."""
+"""Surfaces to compare, and their comparison: align one with the other, then measure."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Literal, TypeAlias
 
 import numpy as np
 
-from insole_core.compare.best_fit import Fit, badness, best_fit
+from insole_core.compare.best_fit import Fit, badness, best_fit, find_dots, fit_dots, fit_points
 from insole_core.compare.difference import Difference, measure_difference
-from insole_core.compare.picked_points import find_dots, fit_dots, fit_points
-from insole_core.compare.seen_surface import SeenMesh, facing
-from insole_core.errors import InputError
+from insole_core.compare.one_view import one_view_surface
+from insole_core.compare.seen_surface import SeenMesh, facing, is_one_sided
+from insole_core.errors import InputError, ReconstructionError
+from insole_core.foot.foot_placement import SideMismatchError, place_foot, recognised_foot
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.foot.measure_table import Measured
+from insole_core.foot.measures import measure
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import BOTH, Side
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
+from insole_core.reconstruct import reconstruct
+from insole_core.recording.reader import is_session, read_session
+from insole_core.recording.session import Session
+from insole_core.scans.mesh_file import read_mesh
 
-PickedPoints: TypeAlias = tuple[FloatArray, FloatArray]
-Alignment: TypeAlias = Literal["best", "none", "dots"] | PickedPoints
-
+_PickedPoints: TypeAlias = tuple[FloatArray, FloatArray]
+Alignment: TypeAlias = Literal["best", "none", "dots"] | _PickedPoints
 _FIXED_PITCH_MM, _MOVED_PITCH_MM = 1.0, 2.0
 _GOOD_SHARE = 0.75
+MIRROR = (-1.0, 1.0, 1.0)
+"""Factors of the coordinates that make a left foot of a right one."""
 
 
 def compare_surfaces(
@@ -91,3 +105,139 @@ def _best(a: SeenMesh, b: SeenMesh, progress: Progress) -> tuple[Fit, FloatArray
             " check that both show the same side of the same foot."
         )
     return min(fits, key=lambda found: badness(found[0]))
+
+
+def _recorded_foot_measures(mesh: TriangleMesh, side: Side) -> Measured | None:
+    """Measure the foot of a session.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    side
+        As the session says.
+
+    Returns
+    -------
+    dict or None
+        By the names in `DEFINITIONS`; None when it is not a foot of that side.
+    """
+    try:
+        foot = place_foot(mesh, side, frame="reference")
+    except (InputError, SideMismatchError):
+        return None
+    return measure(foot, find_landmarks(foot))
+
+
+def surface_measures(mesh: TriangleMesh) -> tuple[Side | None, Measured | None]:
+    """Measure a surface of which nothing is known, if it is a foot, and tell which one.
+
+    Parameters
+    ----------
+    mesh : mm, any frame
+
+    Returns
+    -------
+    side : Side or None
+    measures : dict or None
+        By the names in `DEFINITIONS`; None for insoles, moulds, and what looks like no foot.
+    """
+    if not is_one_sided(mesh) and facing(mesh)[2] > 0:
+        return None, None
+    foot = recognised_foot(mesh)
+    return (None, None) if foot is None else (foot.side, measure(foot, find_landmarks(foot)))
+
+
+@dataclass(frozen=True, eq=False)
+class ComparisonSource:
+    """A surface to compare.
+
+    Parameters
+    ----------
+    name
+        For pictures and reports.
+    mesh : mm
+        In its own frame.
+    notes
+        Assumptions that were made, one sentence each.
+    measures
+        Of a foot, by the names in `DEFINITIONS`; None for anything else.
+    side
+        The foot that it shows or is for; None where that is not known.
+    is_mirrored
+        Whether it was mirrored in x to be compared with one of the other side.
+    """
+
+    name: str
+    mesh: TriangleMesh
+    notes: tuple[str, ...] = ()
+    measures: Measured | None = None
+    side: Side | None = None
+    is_mirrored: bool = False
+
+    def like(self, other: ComparisonSource) -> ComparisonSource:
+        """Return it as it is compared with another one: mirrored, and saying so, if of both feet.
+
+        A surface of which the side is not known stays as it is.
+        """
+        if self.side is None or other.side is None or self.side is other.side:
+            return self
+        note = Message("{name} is of the other foot, so that it is mirrored.", name=self.name)
+        return replace(self, mesh=self.mesh.mirrored(), notes=(*self.notes, note), is_mirrored=True)
+
+    def points_like(self, picked: _PickedPoints) -> _PickedPoints:
+        """Return points picked on another surface and on this one before it was mirrored."""
+        return (picked[0], picked[1] * MIRROR) if self.is_mirrored else picked
+
+
+def read_source(
+    path: Path,
+    progress: Progress = SILENT,
+    is_corrected: Callable[[Session], bool] = lambda _: True,
+) -> ComparisonSource:
+    """Read a surface from a mesh file or a session.
+
+    A session of one view without the reference system in its picture is taken for a mould or a
+    finished insole on a table.
+
+    Parameters
+    ----------
+    is_corrected
+        Whether the learnt error of the matching is subtracted for the sensors of a session.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read.
+    ReconstructionError
+        If no surface can be reconstructed from a session.
+    """
+    progress.step(0.0, "Reading {file}", file=path.name)
+    if not is_session(path):
+        read = read_mesh(path)
+        side, measures = surface_measures(read.mesh)
+        return ComparisonSource(path.name, read.mesh, tuple(read.notes), measures, side)
+    session = read_session(path)
+    if session.manifest.side == BOTH:
+        raise InputError(
+            "{path} was recorded with both feet, but one surface is compared; reconstruct its feet "
+            "and give the mesh of one.",
+            path=path,
+        )
+    side, corrected = session.manifest.one_side, is_corrected(session)
+    if len(session.views) > 1:
+        mesh = reconstruct(session, "fused", progress, corrected=corrected).mesh
+        return _recorded_foot(path.name, mesh, side)
+    try:
+        part = progress.part(0.0, 0.5)
+        mesh = reconstruct(session, "fused", part, corrected=corrected).mesh
+    except ReconstructionError:
+        mesh = one_view_surface(session.views[0], progress.part(0.5, 1.0))
+    else:
+        return _recorded_foot(path.name, mesh, side)
+    return ComparisonSource(
+        path.name, mesh, ("One view without a reference system: taken as a thing on a table.",)
+    )
+
+
+def _recorded_foot(name: str, mesh: TriangleMesh, side: Side) -> ComparisonSource:
+    return ComparisonSource(name, mesh, measures=_recorded_foot_measures(mesh, side), side=side)

@@ -11,16 +11,20 @@ import cv2
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
-from insole_core.compare.comparison import Alignment, compare_surfaces
-from insole_core.compare.comparison_paper import write_report
+from insole_core.compare.comparison import (
+    Alignment,
+    ComparisonSource,
+    compare_surfaces,
+    read_source,
+)
 from insole_core.compare.comparison_report import (
     colored_surface,
     difference_surface,
     draw_picture,
     report_json,
     span_mm,
+    write_report,
 )
-from insole_core.compare.comparison_source import ComparisonSource, read_source
 from insole_core.compare.difference import Difference
 from insole_core.errors import InputError, UsageError
 from insole_core.files.atomic import replacing_file

@@ -17,8 +17,7 @@ from insole_studio.cli.foot_argument import A_MESH
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
-    from insole_core.compare.comparison import Alignment
-    from insole_core.compare.comparison_source import ComparisonSource
+    from insole_core.compare.comparison import Alignment, ComparisonSource
 
 NAME = "compare"
 _ALIGNMENTS: dict[str, Literal["best", "none", "dots"]] = {
@@ -60,8 +59,12 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read both surfaces, align B with A, measure the difference and write it."""
     _check_call(arguments)
     from insole_core.compare.comparison import compare_surfaces
-    from insole_core.compare.comparison_paper import write_report
-    from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
+    from insole_core.compare.comparison_report import (
+        colored_surface,
+        draw_picture,
+        report_json,
+        write_report,
+    )
     from insole_core.files.atomic import write_text
     from insole_core.files.transaction import Transaction
     from insole_core.formats.ply import write_ply
@@ -115,7 +118,7 @@ def _word_or_path(text: str) -> str | Path:
 
 
 def _alignment(given: str | Path, b: ComparisonSource) -> Alignment:
-    from insole_core.compare.picked_points import read_picked_points
+    from insole_core.compare.best_fit import read_picked_points
 
     if isinstance(given, Path):
         return b.points_like(read_picked_points(given))
@@ -123,7 +126,7 @@ def _alignment(given: str | Path, b: ComparisonSource) -> Alignment:
 
 
 def _read(path: Path, progress: Progress) -> ComparisonSource:
-    from insole_core.compare.comparison_source import read_source
+    from insole_core.compare.comparison import read_source
     from insole_core.workflows.calibration.correction_choice import is_corrected
 
     return read_source(path, progress, is_corrected)

@@ -10,11 +10,14 @@ import numpy as np
 import pytest
 import trimesh
 
-from insole_core.compare.comparison import compare_surfaces
+from insole_core.compare.best_fit import find_dots, read_picked_points
+from insole_core.compare.comparison import (
+    MIRROR,
+    ComparisonSource,
+    compare_surfaces,
+    surface_measures,
+)
 from insole_core.compare.comparison_report import colored_surface, draw_picture, report_json
-from insole_core.compare.comparison_source import MIRROR, ComparisonSource
-from insole_core.compare.foot_measures import surface_measures
-from insole_core.compare.picked_points import find_dots, read_picked_points
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from simulated_view import simulate_view
 
+from insole_core.compare.best_fit import find_dots
 from insole_core.compare.comparison import compare_surfaces
 from insole_core.compare.one_view import one_view_surface
-from insole_core.compare.picked_points import find_dots
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side

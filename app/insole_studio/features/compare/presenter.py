@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
-from insole_core.compare.comparison import Alignment
-from insole_core.compare.comparison_source import ComparisonSource
+from insole_core.compare.comparison import Alignment, ComparisonSource
 from insole_core.compare.seen_surface import facing
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import FloatArray

@@ -10,8 +10,7 @@ import pytest
 
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan_source import ScanSource
-from insole_core.compare.comparison import Alignment, compare_surfaces
-from insole_core.compare.comparison_source import ComparisonSource
+from insole_core.compare.comparison import Alignment, ComparisonSource, compare_surfaces
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott

@@ -12,7 +12,7 @@ from read_pdf import text_of_pdf
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
-from insole_core.compare.comparison_source import ComparisonSource
+from insole_core.compare.comparison import ComparisonSource
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
