@@ -1,4 +1,4 @@
-"""Calibration boards, their detection in pictures, and the regions of the image they have reached."""
+"""Calibration boards, their detection in pictures, and how much of the image they cover."""
 
 from __future__ import annotations
 
