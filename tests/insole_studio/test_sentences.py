@@ -62,7 +62,7 @@ CATALOGUE = {
     for message in ElementTree.parse(resource_path("translations/sv/core.ts")).iter("message")
 }
 PAPERS = (
-    "compare/comparison_report.py", "compare/comparison_report.py",
+    "compare/comparison_report.py",
     "evaluation/calibration_sections.py", "evaluation/chain_section.py",
     "evaluation/chain_verdict.py", "evaluation/evaluation_sections.py",
     "evaluation/report.py", "evaluation/report_html.py", "evaluation/wall_pictures.py",
