@@ -333,9 +333,12 @@ def _put_back_schema(database: Database, name: str) -> str:
         upgrade(connection, before[1])
         for table in tables_of(connection):
             columns = ", ".join(f'"{column.name}"' for column in table.columns)
-            rows = f'SELECT {columns} FROM "{name}"."{table.name}"'
-            insertion = f'INSERT INTO public."{table.name}" ({columns}) {rows}'
-            connection.execute(text(f"{insertion} ON CONFLICT DO NOTHING"))
+            connection.execute(
+                text(
+                    f'INSERT INTO public."{table.name}" ({columns}) SELECT {columns} '
+                    f'FROM "{name}"."{table.name}" ON CONFLICT DO NOTHING'
+                )
+            )
         connection.execute(
             text(
                 "UPDATE public.audit_head AS now SET seq = before.seq, hash = before.hash "
