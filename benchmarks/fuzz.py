@@ -471,7 +471,7 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
     from insole_core.insole.prescription.template import apply_template, read_template
     from insole_core.solids.export_rules import read_rules
     from insole_core.solids.shop import read_shop
-    from insole_core.workflows.finding_file import read_findings
+    from insole_core.workflows.clinic_findings import read_findings
 
     def reference(path: Path) -> None:
         check_reference_system(load_reference_system(path))

@@ -1,18 +1,21 @@
-"""The devices and forms to choose from: the product's, and the clinic's own beside the settings."""
+"""The devices and forms to choose from, the product's and the clinic's, and which one is usual."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
 
 from insole_core.errors import InputError
+from insole_core.files.atomic import make_output_folder, replacing_file
+from insole_core.files.named_files import NamedFiles
+from insole_core.forgiving_json import remembered
 from insole_core.insole.forms.form_file import read_form, write_form
 from insole_core.insole.prescription.base_form import Form
 from insole_core.insole.prescription.device import Device, read_device, write_device
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.messages import Message
 from insole_core.resources import resource_path
-from insole_core.workflows.named_files import NamedFiles
 
 DEFAULT_DEVICE = "EVA, full length"
 """The device of new designs, while a clinic has chosen no other."""
@@ -93,3 +96,32 @@ def default_device(devices: Mapping[str, Device], name: str) -> tuple[Device, Me
         usual=usual.name,
     )
     return usual, problem
+
+
+class DefaultDevice:
+    """Storage of the clinic's choice beside the settings; a bad file costs only a warning.
+
+    Parameters
+    ----------
+    folder
+        Of the clinic's settings.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / "default_device.json"
+
+    def load(self) -> str:
+        """Return the name of the device."""
+        return str(remembered(self._path, {"device": str}).get("device", DEFAULT_DEVICE))
+
+    def save(self, name: str) -> None:
+        """Start new designs with a device.
+
+        Raises
+        ------
+        OutputError
+            When the place cannot be written.
+        """
+        make_output_folder(self._path.parent)
+        with replacing_file(self._path) as beside:
+            beside.write_text(json.dumps({"device": name}), encoding="utf-8", newline="\n")

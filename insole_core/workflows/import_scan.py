@@ -23,11 +23,19 @@ from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.scans.mesh_file import ReadMesh, read_mesh
-from insole_core.workflows.foot_said import FootSaid
 from insole_core.workflows.imprinted_feet import find_imprinted_feet, form_notes
-from insole_core.workflows.scan_doubts import with_name_doubts, with_rimless_doubt, with_toe_doubt
-from insole_core.workflows.scanned_feet import find_scanned_feet, from_file
-from insole_core.workflows.scanned_foot import ScannedFoot, mesh_source
+from insole_core.workflows.scan_doubts import (
+    FootSaid,
+    with_name_doubts,
+    with_rimless_doubt,
+    with_toe_doubt,
+)
+from insole_core.workflows.scanned_feet import (
+    ScannedFoot,
+    find_scanned_feet,
+    from_file,
+    mesh_source,
+)
 
 
 @dataclass(frozen=True, eq=False)

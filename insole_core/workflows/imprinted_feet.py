@@ -19,7 +19,7 @@ from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.scans.cleaning import INSIDE_OUT
 from insole_core.scans.mesh_file import ReadMesh
-from insole_core.workflows.foot_said import NOTHING_SAID, FootSaid, at_known_length
+from insole_core.workflows.scan_doubts import NOTHING_SAID, FootSaid, at_known_length
 from insole_core.workflows.scanned_feet import named_feet
 
 _HARDLY_MM, _SHALLOW_MM = 8.0, 14.0

@@ -36,7 +36,7 @@ from insole_core.workflows.calibration.correction_choice import (
     CorrectionChoice,
     choice_for,
 )
-from insole_core.workflows.scanned_foot import ScannedFoot, session_source
+from insole_core.workflows.scanned_feet import ScannedFoot, session_source
 
 
 @dataclass(frozen=True, eq=False)

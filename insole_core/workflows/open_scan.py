@@ -16,7 +16,7 @@ from insole_core.scans.scan_folder import holds_scans
 from insole_core.workflows.import_scan import examine_scan, read_scan, take_foot
 from insole_core.workflows.make_feet import make_feet
 from insole_core.workflows.make_foot import open_foot, open_session
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.scanned_feet import ScannedFoot
 
 
 def open_scan(

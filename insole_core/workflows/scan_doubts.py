@@ -1,31 +1,115 @@
-"""What is in doubt about a scan: its unit, its form, and what its name says.
-
-How the foot lies in it, which one it is and whether it is whole, `foot_doubts` says.
-"""
+"""What a user has said of a foot in a scan, and what is in doubt: its unit, its form, its name."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
-from insole_core.foot.foot_candidate import FoundFoot
+import numpy as np
+
+from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
 from insole_core.foot.foot_doubts import USUAL_LENGTH_MM
 from insole_core.foot.foot_proportions import LENGTH_MM, is_within
 from insole_core.foot.levelling import at_origin
 from insole_core.foot.measures import shoe_size_eu
 from insole_core.foot.toe_relief import LEAST_RELIEF_MM, has_ankle, toe_relief_mm
 from insole_core.formats.units import MM_PER_UNIT, UNIT_NAMES, UnitReading
+from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.messages import Message, joined
 from insole_core.scans.mesh_file import ReadMesh
+from insole_core.scans.scale import KnownDistance, KnownSize, known_length_mm
 from insole_core.scans.scan_folder import ScanPart
-from insole_core.workflows.foot_said import NOTHING_SAID, FootSaid
 
+_SCALE_ROUNDS, _SCALE_ERROR = 4, 0.002
+_Found = TypeVar("_Found")
 _ADULT_MM = 210.0
 """EU 34; a foot that is shorter is a child's."""
 _READINGS_MM = (80.0, 400.0)
 _FACING_UP = 0.4
 """Mean z of the normals, from which on an open surface is a sole alone, and faces the foot."""
+
+
+@dataclass(frozen=True)
+class FootSaid:
+    """What a user has said of a foot; None where it is to be concluded.
+
+    Parameters
+    ----------
+    side
+    pose
+        As it was clicked.
+    known_size
+    """
+
+    side: Side | None = None
+    pose: PoseClicks | None = None
+    known_size: KnownSize | None = None
+
+    @property
+    def length_mm(self) -> float | None:
+        """Length of the foot, by which a scan without a scale is scaled."""
+        if self.known_size is None or isinstance(self.known_size, KnownDistance):
+            return None
+        return known_length_mm(self.known_size)
+
+    def for_each(self, first: TriangleMesh, second: TriangleMesh) -> tuple[FootSaid, FootSaid]:
+        """Return what was said of each of two feet: the points were clicked on one of them."""
+        from scipy.spatial import cKDTree
+
+        if self.pose is None:
+            return self, self
+        clicks = np.array([self.pose.heel, self.pose.toe, self.pose.sole])
+        first_mm, second_mm = (
+            float(np.sum(cKDTree(mesh.vertices).query(clicks)[0])) for mesh in (first, second)
+        )
+        other = replace(self, pose=None)
+        return (self, other) if first_mm <= second_mm else (other, self)
+
+    def _scaled(self, factor: float) -> FootSaid:
+        return replace(self, pose=None if self.pose is None else self.pose.scaled(factor))
+
+
+NOTHING_SAID = FootSaid()
+
+
+def at_known_length(
+    read: ReadMesh,
+    said: FootSaid,
+    find: Callable[[ReadMesh, FootSaid], _Found],
+    length_of: Callable[[_Found], float | None],
+) -> tuple[ReadMesh, _Found]:
+    """Find feet in a scan at the scale at which the first of them has its known length.
+
+    Parameters
+    ----------
+    read
+        At the scale at which the points were clicked.
+    find
+        Finds the feet at any scale.
+    length_of
+        Length of the first foot that was found, mm; None where there is none.
+
+    Returns
+    -------
+    read : ReadMesh
+        At its final scale.
+    found
+        What `find` returned at that scale.
+    """
+    found = find(read, said)
+    for _ in range(_SCALE_ROUNDS):
+        length_mm = length_of(found)
+        if length_mm is None or said.length_mm is None:
+            break
+        factor = said.length_mm / length_mm
+        if abs(factor - 1) < _SCALE_ERROR:
+            break
+        read, said = read.scaled(factor), said._scaled(factor)
+        found = find(read, said)
+    return read, found
 
 
 def with_unit_doubt(found: FoundFoot, read: ReadMesh) -> FoundFoot:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from insole_core.errors import OutputError
+from insole_core.history import History
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
 from insole_core.reconstruct.parallel import for_views
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
-from insole_core.workflows.history import History
 from insole_core.workflows.make_foot import MeasuredSession
 
 

@@ -1,18 +1,36 @@
-"""The design that a new foot begins with: one of the clinic's usual device, without corrections."""
+"""The design that a foot begins with: the usual device, an earlier one, that of the other foot."""
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from datetime import date
 from pathlib import Path
+from typing import Final
 
+import numpy as np
+
+from insole_core.cases.case_file import read_case
+from insole_core.cases.case_record import Annotations, FootRecord, KeyPoint, Patient, Point
+from insole_core.errors import DesignError, InsoleError
 from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
+from insole_core.insole.elements import Correction, new_id
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
 from insole_core.insole.prescription.materials import MaterialTable, with_least_thickness
+from insole_core.insole.prescription.template import Template, apply_template, make_template
 from insole_core.messages import Message
-from insole_core.workflows.clinic_devices import clinic_devices, default_device
+from insole_core.progress import SILENT, Progress
+from insole_core.workflows.clinic_devices import DefaultDevice, clinic_devices, default_device
 from insole_core.workflows.clinic_materials import ClinicMaterials
-from insole_core.workflows.default_device import DefaultDevice
+from insole_core.workflows.file_kind import CASE_SUFFIX
+from insole_core.workflows.foot_landmarks import landmarks_of
+
+log = logging.getLogger(__name__)
+_MIRROR: Final = np.diag([-1.0, 1.0, 1.0, 1.0])
+"""In the plane x = 0, which holds the foot axis."""
 
 
 @dataclass(frozen=True)
@@ -50,3 +68,165 @@ def starting_device(folder: Path) -> StartingDevice:
     devices = clinic_devices(folder).load().items
     device, problem = default_device(devices, DefaultDevice(folder).load())
     return StartingDevice(device, ClinicMaterials(folder).load()[0], problem)
+
+
+def template_of(foot: FootRecord) -> Template:
+    """Return the chosen prescription of a foot as a template for another foot.
+
+    Raises
+    ------
+    DesignError
+        When the landmarks are in an impossible order.
+    """
+    return make_template(foot.chosen, foot.design, landmarks_of(foot))
+
+
+def fitted(
+    template: Template, foot: FootRecord, stamp: Callable[[Correction], Correction]
+) -> InsoleDesign:
+    """Fit a prescription to a foot by its landmarks, mirrored where it is of the other side.
+
+    It counts as a new prescription: every correction gets a new id and a new stamp.
+
+    Parameters
+    ----------
+    stamp
+        Returns a correction with author and time of the new prescription.
+
+    Raises
+    ------
+    DesignError
+        When the landmarks are in an impossible order.
+    """
+    design = apply_template(template, foot.side, landmarks_of(foot))
+    fresh = (stamp(replace(c, id=new_id())) for c in design.corrections)
+    return replace(design, corrections=tuple(fresh))
+
+
+def last_design(foot: FootRecord) -> Template | None:
+    """Return the last prescription for a foot, on this scan or the previous one."""
+    if not foot.design.corrections:
+        return foot.earlier
+    try:
+        return template_of(foot)
+    except DesignError:
+        return foot.earlier
+
+
+def prescribed_at(design: InsoleDesign) -> str:
+    """Return the time (ISO 8601) of the latest correction; empty where none is recorded."""
+    return max((correction.created_at for correction in design.corrections), default="")
+
+
+def identity(patient: Patient) -> tuple[str, str] | None:
+    """Return normalised name and birth date; None while either is missing."""
+    name, born = " ".join(patient.name.casefold().split()), patient.born.strip()
+    return (name, born) if name and born else None
+
+
+def find_last_design(
+    paths: Sequence[Path], patient: Patient, side: Side, progress: Progress = SILENT
+) -> Template | None:
+    """Find the latest prescription of a patient for a side.
+
+    Parameters
+    ----------
+    paths
+        Candidates; files that are not cases or cannot be read are skipped.
+
+    Returns
+    -------
+    Template
+        None when there is none, or while the patient has no name or birth date.
+
+    Raises
+    ------
+    Cancelled
+    """
+    wanted = identity(patient)
+    templates: list[Template] = []
+    cases = [path for path in paths if path.suffix.lower() == CASE_SUFFIX and path.exists()]
+    for number, path in enumerate(cases):
+        progress.step(number / len(cases), "Looking for earlier designs")
+        try:
+            record = read_case(path)
+        except InsoleError as error:
+            log.info("no earlier design: %s", error)
+            continue
+        foot = record.of_side(side)
+        template = None if foot is None else last_design(foot)
+        if wanted is not None and identity(record.patient) == wanted and template is not None:
+            templates.append(template)
+    return max(templates, key=lambda template: prescribed_at(template.design), default=None)
+
+
+def on_earlier_scan(record: FootRecord, scanned_on: date, starting: StartingDevice) -> FootRecord:
+    """Return a foot for a new prescription on the scan of an earlier visit, with its landmarks.
+
+    It is marked with the day of the visit that it was scanned on, so that window, papers and record
+    say it. The earlier prescription is there to be repeated.
+
+    Parameters
+    ----------
+    record
+        The foot as the earlier visit has it.
+    scanned_on
+        Day of the visit that it was scanned on.
+    starting
+        The device that new prescriptions begin with.
+    """
+    day = scanned_on.isoformat()
+    return FootRecord.begun(
+        replace(record.foot, scanned_on=day),
+        replace(record.source, scanned_on=day),
+        starting.design(record.foot),
+        annotations=record.annotations,
+        earlier=last_design(record),
+    )
+
+
+def mirrored_foot(record: FootRecord, stamp: Callable[[Correction], Correction]) -> FootRecord:
+    """Return foot, landmarks and prescription of the other side as the mirror image of this one.
+
+    It is marked as such, so that window, papers and files say it. What lies under the scanned foot
+    alone, such as a map of its pressures, is left out.
+
+    Parameters
+    ----------
+    stamp
+        Returns a correction with author and time of the new prescription.
+
+    Raises
+    ------
+    DesignError
+        When the landmarks are in an impossible order.
+    """
+    foot, source = record.foot, record.source
+    mirror_image = Foot(
+        foot.side.other,
+        foot.mesh.mirrored(),
+        _MIRROR @ foot.source2insole @ _MIRROR,  # that of the mirrored scan
+        foot.length_mm,
+        form=foot.form,
+        mirrored=not foot.mirrored,
+        scanned_on=foot.scanned_on,
+    )
+    made = FootRecord.begun(
+        mirror_image,
+        replace(source, mirrored=not source.mirrored),
+        annotations=_mirrored(record.annotations),
+    )
+    return made.with_design(fitted(template_of(record), made, stamp))
+
+
+def _mirrored(annotations: Annotations) -> Annotations:
+    points = (KeyPoint(p.name, _reflected(p.position_mm)) for p in annotations.key_points)
+    plane = annotations.plane
+    if plane is not None:
+        plane = replace(plane, origin_mm=_reflected(plane.origin_mm), roll_deg=-plane.roll_deg)
+    return Annotations(tuple(points), plane)
+
+
+def _reflected(place_mm: Point) -> Point:
+    x, y, z = place_mm
+    return -x, y, z

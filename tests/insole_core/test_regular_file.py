@@ -22,7 +22,7 @@ from insole_core.recording.sensor_folder import read_sensor
 from insole_core.regular_file import read_regular
 from insole_core.sensing.correction import load_correction
 from insole_core.solids.export_rules import read_rules
-from insole_core.workflows.scanned_foot import change_of_source
+from insole_core.workflows.scanned_feet import change_of_source
 
 ENDLESS = 2**40
 

@@ -103,8 +103,7 @@ def clinic_catalogue() -> Catalogue:
     What the clinic keeps and cannot be read is told on stderr.
     """
     from insole_core.insole.clinic_rules import load_rules
-    from insole_core.workflows.clinic_devices import clinic_devices, default_device
-    from insole_core.workflows.default_device import DefaultDevice
+    from insole_core.workflows.clinic_devices import DefaultDevice, clinic_devices, default_device
     from insole_core.workflows.findings import Catalogue
     from insole_core.workflows.pad_library import load_pads
     from insole_studio.user_paths import UserPaths

@@ -17,7 +17,7 @@ from insole_studio.cli.argument_parser import number
 if TYPE_CHECKING:
     from insole_core.cases.scan_source import ImportChoice
     from insole_core.foot.foot import Foot
-    from insole_core.workflows.scanned_foot import ScannedFoot
+    from insole_core.workflows.scanned_feet import ScannedFoot
 
 
 A_MESH = f"a mesh ({' '.join(SCAN_SUFFIXES)})"

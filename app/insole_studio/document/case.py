@@ -14,9 +14,9 @@ from insole_core.cases.order_note import OrderNote
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.history import History
 from insole_core.insole.elements import Correction
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.workflows.history import History
 from insole_studio.document.kept_visit import KeptVisit
 
 Changeable = InsoleDesign | Annotations | Patient | FootRecord | CaseRecord

@@ -25,7 +25,7 @@ from insole_core.pressure.recording import Answers, PressureRecording, PressureU
 from insole_core.pressure.regions import REGIONS, overloaded_heads, region_peaks
 from insole_core.simulate.plantar_pressure import pressed
 from insole_core.workflows.findings import Catalogue
-from insole_core.workflows.foot_pose import lying_anew
+from insole_core.workflows.foot_landmarks import lying_anew
 from insole_core.workflows.lay_plantar import Shown, lay_picture, lay_pressure
 from insole_core.workflows.pad_library import load_pads
 from insole_core.workflows.plantar_pressure import (

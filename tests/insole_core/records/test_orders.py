@@ -23,8 +23,7 @@ from insole_core.records.order import Order, OrderSearch, OrderState
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, FollowUp, Visit
-from insole_core.workflows.earlier_scan import on_earlier_scan
-from insole_core.workflows.starting_design import starting_device
+from insole_core.workflows.starting_design import on_earlier_scan, starting_device
 
 TODAY = date.today()
 TOMORROW = TODAY + timedelta(days=1)

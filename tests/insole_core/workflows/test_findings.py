@@ -30,8 +30,7 @@ from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.rim_sliders import cup_depth_mm, medial_flange_mm
 from insole_core.workflows.clinic_devices import AS_SCANNED, DEFAULT_DEVICE, clinic_devices
-from insole_core.workflows.clinic_findings import ClinicFindings, export_findings
-from insole_core.workflows.finding_file import read_findings
+from insole_core.workflows.clinic_findings import ClinicFindings, export_findings, read_findings
 from insole_core.workflows.findings import (
     Catalogue,
     Finding,

@@ -14,7 +14,7 @@ from insole_core.insole.elements import ArchRaise, BrushStroke, Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Shell
-from insole_core.workflows.foot_pose import lying_anew
+from insole_core.workflows.foot_landmarks import lying_anew
 
 PLACES = ((30.0, 150.0), (0.0, 160.0), (-30.0, 155.0), (-20.0, 20.0))
 

@@ -14,7 +14,7 @@ from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.workflows.import_scan import examine_scan, take_foot
 from insole_core.workflows.open_scan import open_scan
-from insole_core.workflows.scanned_foot import mesh_source
+from insole_core.workflows.scanned_feet import mesh_source
 
 
 @pytest.fixture(scope="module")

@@ -26,7 +26,7 @@ from insole_core.workflows.clinic_devices import clinic_devices, find_device
 from insole_core.workflows.clinic_materials import ClinicMaterials
 from insole_core.workflows.import_scan import ScanExamination, examine_scan, take_foot
 from insole_core.workflows.open_scan import open_scan
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_core.workflows.starting_design import StartingDevice
 from tests.insole_core.imprints.boxes import double_box, flat_cast, pressed, single_box
 

@@ -26,10 +26,10 @@ from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
-from insole_core.workflows.mirrored_foot import mirrored_foot
 from insole_core.workflows.order_package import PackedItem, write_package
 from insole_core.workflows.records.keep_case import visit_measures
-from insole_core.workflows.scanned_foot import feet_made_of
+from insole_core.workflows.scanned_feet import feet_made_of
+from insole_core.workflows.starting_design import mirrored_foot
 
 PATIENT = Patient("Ö", "1970-02-28", "2026-11-20")
 MARKED = KeyPoint("custom", (20.0, 100.0, 0.0))

@@ -14,7 +14,7 @@ from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.workflows.open_scan import open_scan
-from insole_core.workflows.scanned_foot import change_of_source
+from insole_core.workflows.scanned_feet import change_of_source
 
 
 @pytest.fixture(scope="module")

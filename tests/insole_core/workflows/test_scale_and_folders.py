@@ -23,7 +23,7 @@ from insole_core.workflows.import_scan import (
     read_scan,
     take_foot,
 )
-from insole_core.workflows.scanned_foot import ScannedFoot, choice_of
+from insole_core.workflows.scanned_feet import ScannedFoot, choice_of
 
 
 @pytest.fixture(scope="module")

@@ -18,9 +18,8 @@ from insole_core.insole.prescription.design_json import design_to_json
 from insole_core.insole.prescription.device import device_of
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.simulate import FootShape, build_foot
-from insole_core.workflows.clinic_devices import clinic_devices
+from insole_core.workflows.clinic_devices import DefaultDevice, clinic_devices
 from insole_core.workflows.clinic_materials import ClinicMaterials
-from insole_core.workflows.default_device import DefaultDevice
 from insole_studio.cli.main import run
 from insole_studio.user_paths import UserPaths
 

@@ -21,7 +21,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import grab_window
 from insole_studio.features.export import presenter

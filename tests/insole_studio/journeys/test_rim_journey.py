@@ -30,10 +30,10 @@ from insole_core.insole.prescription.shell import Shell
 from insole_core.workflows.clinic_devices import (
     AS_SCANNED,
     DEFAULT_DEVICE,
+    DefaultDevice,
     clinic_devices,
     clinic_forms,
 )
-from insole_core.workflows.default_device import DefaultDevice
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.case_names import choose_variant
 from insole_studio.features.design.devices.device_actions import DeviceActions

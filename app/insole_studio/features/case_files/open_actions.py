@@ -14,9 +14,8 @@ from insole_core.progress import Progress
 from insole_core.resources import resource_path
 from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.foot_landmarks import with_landmarks
-from insole_core.workflows.scanned_foot import ScannedFoot
-from insole_core.workflows.starting_design import starting_device
-from insole_core.workflows.template_transfer import last_design
+from insole_core.workflows.scanned_feet import ScannedFoot
+from insole_core.workflows.starting_design import last_design, starting_device
 from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.features.case_files.case_guard import CaseGuard, FileState
 from insole_studio.features.case_files.save_actions import SaveActions

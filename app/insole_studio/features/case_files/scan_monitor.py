@@ -11,7 +11,7 @@ from insole_core.cases.days import doubtful_days
 from insole_core.foot.measure_table import unlike_sizes
 from insole_core.messages import joined
 from insole_core.progress import Progress
-from insole_core.workflows.scanned_foot import change_of_source
+from insole_core.workflows.scanned_feet import change_of_source
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import translate_core_message
 

@@ -29,7 +29,7 @@ from insole_core.workflows.make_foot import (
     MeasuredSession,
     measure_session,
 )
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_core.workflows.session_editor import SessionEditor
 from insole_studio.features.foot.foot_maps import color_foot
 from insole_studio.features.foot.marker_presenter import ImagePanel, MarkerPresenter

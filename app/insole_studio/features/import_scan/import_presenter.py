@@ -21,7 +21,7 @@ from insole_core.imprints.form import Form
 from insole_core.progress import Progress
 from insole_core.scans.scale import KnownDistance, KnownFootLength
 from insole_core.workflows.import_scan import take_foot
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
 from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.features.import_scan.scan_texts import (

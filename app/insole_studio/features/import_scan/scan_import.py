@@ -11,7 +11,7 @@ from insole_core.cases.scan_source import ImportChoice
 from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_core.workflows.scanned_foot import ScannedFoot, choice_of, feet_made_of
+from insole_core.workflows.scanned_feet import ScannedFoot, choice_of, feet_made_of
 from insole_studio.services.app_services import AppServices
 
 if TYPE_CHECKING:

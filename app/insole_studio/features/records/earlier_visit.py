@@ -13,8 +13,12 @@ from insole_core.errors import InsoleError
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
 from insole_core.records.prescription import ScannedFoot
-from insole_core.workflows.starting_design import starting_device
-from insole_core.workflows.template_transfer import fitted, last_design
+from insole_core.workflows.starting_design import (
+    fitted,
+    last_design,
+    on_earlier_scan,
+    starting_device,
+)
 from insole_studio.features.records.rows import prescribed_text
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
@@ -166,8 +170,6 @@ class EarlierScan(QObject):
             self._services.messages.show_sentence(starting.problem)
 
         def read(records: Records) -> list[FootRecord]:
-            from insole_core.workflows.earlier_scan import on_earlier_scan
-
             return [
                 on_earlier_scan(
                     records.prescriptions.read(scan.version_id), scan.scanned_on, starting

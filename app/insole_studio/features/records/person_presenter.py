@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from insole_core.errors import Conflict, InputError, InsoleError
 from insole_core.geometry.side import Side
+from insole_core.history import History
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records.capture import Capture
 from insole_core.records.order import OrderSummary
@@ -23,7 +24,6 @@ from insole_core.records.record_field import (
     settle_fields,
 )
 from insole_core.records.visit import CaptureState, Visit
-from insole_core.workflows.history import History
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_form import label_of, shown_texts

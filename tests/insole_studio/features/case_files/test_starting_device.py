@@ -19,8 +19,7 @@ from insole_core.insole.prescription.device import device_of
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.simulate import FootShape, build_foot
-from insole_core.workflows.clinic_devices import clinic_devices
-from insole_core.workflows.default_device import DefaultDevice
+from insole_core.workflows.clinic_devices import DefaultDevice, clinic_devices
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.app.bootstrap import Application
 from insole_studio.user_paths import UserPaths

@@ -13,7 +13,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Posting
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.scripted import wait_for
 from insole_studio.features.design.patient.measure_texts import measures_of

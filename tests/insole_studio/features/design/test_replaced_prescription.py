@@ -16,7 +16,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import HeelLift, Posting
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.workflows.template_transfer import template_of
+from insole_core.workflows.starting_design import template_of
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.actions.prescription_actions import save_template
 

@@ -21,7 +21,7 @@ from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import edits_path
 from insole_core.recording.reader import read_session
-from insole_core.workflows.scanned_foot import ScannedFoot
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.document.foot_display import known_display
 from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
 from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow

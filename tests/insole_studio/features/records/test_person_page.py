@@ -27,8 +27,7 @@ from insole_core.records.prescription import Base
 from insole_core.records.record_field import FieldChoice, Line
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
-from insole_core.workflows.mirrored_foot import mirrored_foot
-from insole_core.workflows.starting_design import starting_device
+from insole_core.workflows.starting_design import mirrored_foot, starting_device
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.main_controller import SCANNING
 from insole_studio.features.records.person_page import PERSON, PersonPage

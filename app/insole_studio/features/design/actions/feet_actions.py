@@ -8,8 +8,7 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction
-from insole_core.workflows.mirrored_foot import mirrored_foot
-from insole_core.workflows.template_transfer import fitted, template_of
+from insole_core.workflows.starting_design import fitted, mirrored_foot, template_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.features.design.correction_names import name_of

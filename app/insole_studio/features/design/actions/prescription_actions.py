@@ -24,7 +24,7 @@ from insole_core.insole.prescription.template import (
 )
 from insole_core.workflows.foot_landmarks import confirmed, found_anew, landmarks_of
 from insole_core.workflows.pad_library import LibraryPad
-from insole_core.workflows.template_transfer import fitted, template_of
+from insole_core.workflows.starting_design import fitted, template_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.features.design.correction_names import name_of

@@ -12,8 +12,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
 from insole_core.progress import Progress
-from insole_core.workflows.earlier_designs import find_last_design, identity
-from insole_core.workflows.template_transfer import fitted, prescribed_at
+from insole_core.workflows.starting_design import find_last_design, fitted, identity, prescribed_at
 from insole_studio.features.design.actions.feet_actions import FeetActions
 from insole_studio.features.design.actions.lost_corrections import may_replace
 from insole_studio.features.design.correction_names import name_of

@@ -11,8 +11,7 @@ from insole_core.insole.prescription.design_differences import design_difference
 from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.item_name import checked_name, key_of
 from insole_core.workflows.clinic_devices import find_device
-from insole_core.workflows.clinic_findings import ClinicFindings, export_findings
-from insole_core.workflows.finding_file import read_findings
+from insole_core.workflows.clinic_findings import ClinicFindings, export_findings, read_findings
 from insole_core.workflows.findings import Catalogue, Finding, apply_finding
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.kept_finding import KeptFinding, finding_of

@@ -14,9 +14,14 @@ from insole_core.foot.measures import measure
 from insole_core.insole.clinic_rules import ClinicRules, proposed_post_deg
 from insole_core.insole.elements import Pelott, Posting, new_id
 from insole_core.insole.fields import Range
-from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_core.workflows.foot_pose import levelled_record, quarter_turned_record, turned_record
-from insole_core.workflows.pen_marks import PenMark, PenMarks
+from insole_core.workflows.foot_landmarks import (
+    PenMark,
+    PenMarks,
+    landmarks_of,
+    levelled_record,
+    quarter_turned_record,
+    turned_record,
+)
 from insole_studio.document.case import Case
 from insole_studio.features.design.correction_names import name_of, place_text
 from insole_studio.features.design.rows import FieldGroup, FieldSpec, Proposal

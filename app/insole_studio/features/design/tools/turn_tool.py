@@ -13,8 +13,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.transforms import inverse
-from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_core.workflows.foot_pose import turned_record
+from insole_core.workflows.foot_landmarks import landmarks_of, turned_record
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import SurfaceContext, Tool
 from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
