@@ -62,7 +62,7 @@ def _run_step(
     """
     from insole_core.errors import CalibrationError
     from insole_core.sensing.sensor import nominal_kinect
-    from insole_core.workflows.calibration.calibration_storage import keep_step
+    from insole_core.workflows.calibration.report_files import keep_step
 
     check_reports(arguments)
     store = store_of(arguments)
@@ -118,7 +118,7 @@ class _CameraStep:
     def run(self, arguments: argparse.Namespace, progress: Progress) -> None:
         """Detect the boards, fit the camera and save it."""
         board, options = board_of(arguments), options_of(arguments)
-        from insole_core.workflows.calibration.camera_step import calibrate_camera_step
+        from insole_core.workflows.calibration.board_steps import calibrate_camera_step
 
         _run_step(
             arguments,
@@ -191,7 +191,7 @@ def _add_stereo_arguments(parser: argparse.ArgumentParser) -> None:
 def _run_stereo(arguments: argparse.Namespace, progress: Progress) -> None:
     """Fit the pose between the cameras and save it."""
     board = board_of(arguments)
-    from insole_core.workflows.calibration.stereo_steps import calibrate_stereo_step
+    from insole_core.workflows.calibration.board_steps import calibrate_stereo_step
 
     _run_step(
         arguments,
@@ -218,7 +218,7 @@ def _add_shift_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _run_shift(arguments: argparse.Namespace, progress: Progress) -> None:
     """Detect or read the points, fit the shift and save it."""
-    from insole_core.workflows.calibration.stereo_steps import shift_color_step
+    from insole_core.workflows.calibration.board_steps import shift_color_step
 
     _run_step(
         arguments,

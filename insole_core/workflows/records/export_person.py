@@ -45,13 +45,14 @@ from insole_core.solids.export_job import standing
 from insole_core.solids.prescription_paper import NOBODY, Responsible
 from insole_core.solids.solid import make_solid
 from insole_core.workflows.records.person_dossier import (
+    ExportedFile,
     PersonDossier,
     VisitDossier,
+    person_json,
     pseudonymous,
     pseudonymous_foot,
     read_dossier,
 )
-from insole_core.workflows.records.person_json import ExportedFile, person_json
 from insole_core.workflows.records.person_summary import (
     ENGLISH,
     FootPicture,

@@ -16,7 +16,7 @@ from insole_core.recording.writer import write_session
 from insole_core.records.capture import CaptureFacts
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.sensor import CalibrationRecord, nominal_kinect
-from insole_core.workflows.calibration.calibration_storage import keep_step
+from insole_core.workflows.calibration.report_files import keep_step
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
 from insole_core.workflows.records.capture_facts import capture_facts

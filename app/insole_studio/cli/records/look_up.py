@@ -108,8 +108,7 @@ def _run_show(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Print the person as text or JSON, without the large files."""
     from insole_core.evaluation.report import section_lines
     from insole_core.records.rights import Right
-    from insole_core.workflows.records.person_dossier import read_dossier
-    from insole_core.workflows.records.person_json import person_json
+    from insole_core.workflows.records.person_dossier import person_json, read_dossier
     from insole_core.workflows.records.person_summary import person_report
 
     with opened(arguments, Right.SEE) as records:

@@ -11,7 +11,11 @@ from insole_core.calibration.boards.board import Board
 from insole_core.memo import Memo
 from insole_core.progress import Progress
 from insole_core.sensing.sensor import Sensor
-from insole_core.workflows.calibration.camera_step import Which, calibrate_camera_step
+from insole_core.workflows.calibration.board_steps import (
+    Which,
+    calibrate_camera_step,
+    calibrate_stereo_step,
+)
 from insole_core.workflows.calibration.picture_folders import LiveKind
 from insole_core.workflows.calibration.picture_readiness import (
     Readiness,
@@ -20,7 +24,6 @@ from insole_core.workflows.calibration.picture_readiness import (
     inspect_walls,
 )
 from insole_core.workflows.calibration.steps import COLOR, INFRARED, StepResult
-from insole_core.workflows.calibration.stereo_steps import calibrate_stereo_step
 from insole_core.workflows.calibration.wall_steps import calibrate_distortion_step, read_walls
 from insole_studio.texts import tr
 

@@ -11,9 +11,9 @@ from insole_core.errors import InsoleError
 from insole_core.memo import Memo
 from insole_core.progress import Progress
 from insole_core.sensing.sensor import Sensor, nominal_kinect
-from insole_core.workflows.calibration.calibration_storage import keep_step, step_date
 from insole_core.workflows.calibration.picture_folders import LiveKind
 from insole_core.workflows.calibration.picture_readiness import Readiness
+from insole_core.workflows.calibration.report_files import keep_step, step_date
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
 from insole_studio.features.calibrate.calibration_steps import STEPS, CalibrationStep

@@ -43,8 +43,7 @@ from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.schema import tables_of_persons
 from insole_core.records.text_table import read_table
 from insole_core.records.visit import FollowUp, Visit
-from insole_core.workflows.records.person_dossier import pseudonymous, read_dossier
-from insole_core.workflows.records.person_json import person_json
+from insole_core.workflows.records.person_dossier import person_json, pseudonymous, read_dossier
 from insole_core.workflows.records.person_summary import person_report
 
 TODAY = date.today()
