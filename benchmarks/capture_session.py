@@ -34,8 +34,8 @@ from insole_studio.acquisition.capture_runner import (
     open_sensors,
 )
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM, CaptureSetup
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.messages import CapturePhase, CaptureStatus
 from insole_studio.acquisition.rig import OpenSensor, Rig
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect

@@ -26,7 +26,7 @@ MOST_BYTES: Final = 1_000_000
 FILES: Final = 5
 _OF_MACHINES: Final = (
     "insole_core.records.database_errors",
-    "insole_studio.acquisition.sensor_errors",
+    "insole_studio.acquisition.driver_values",
     "kinect_v1",
 )
 _OWN: Final = ("insole_core", "insole_studio", "kinect_v1")

@@ -23,7 +23,7 @@ from emulated_usbfs import (
 )
 from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
 
-from insole_studio.acquisition.factory_calibration import factory_sensor
+from insole_studio.acquisition.driver_values import factory_sensor
 from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.emulation.playback import make_footage
 from kinect_v1.models import Model

@@ -1,11 +1,12 @@
-"""The plan of a capture: which sensor records which view, in which steps."""
+"""The plan of a capture, which sensor records which view, and the request that it can be resumed by."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from itertools import chain
+from typing import Any
 
 from insole_core.errors import UsageError
 from insole_core.messages import Message, joined
@@ -20,6 +21,8 @@ _VIEW = re.compile(r"[a-z0-9_]{1,32}")
 _TOP_FACE = "achilles"
 _TOP = "top"
 """In the name of a view from above the tendon, such as ``left_top``."""
+_KEY = "capture_plan"
+"""Key in the manifest."""
 
 
 @dataclass(frozen=True)
@@ -280,3 +283,57 @@ def _check_names(views: Sequence[str]) -> None:
             )
         if views.count(view) > 1:
             raise UsageError("The view {view} is named twice; name every view once.", view=view)
+
+
+@dataclass(frozen=True)
+class PlanRequest:
+    """The arguments that a plan is made from.
+
+    Parameters
+    ----------
+    assignment, frames, color_frames, simultaneous, bursts
+        As in `make_plan`.
+    """
+
+    assignment: tuple[tuple[str, str], ...]
+    frames: int = 10
+    color_frames: int = 1
+    simultaneous: bool = False
+    bursts: int = 1
+
+    def plan(self) -> CapturePlan:
+        """Make the plan.
+
+        Raises
+        ------
+        UsageError
+        """
+        return make_plan(
+            self.assignment,
+            frames=self.frames,
+            color_frames=self.color_frames,
+            simultaneous=self.simultaneous,
+            bursts=self.bursts,
+        )
+
+    def as_extra(self) -> dict[str, Any]:
+        """Return the request in the form that the manifest keeps."""
+        return {_KEY: asdict(self)}
+
+
+def kept_request(extra: Mapping[str, Any]) -> PlanRequest | None:
+    """Return the request that a manifest keeps; None if it keeps none that can be carried out.
+
+    Parameters
+    ----------
+    extra
+        The additional entries of the manifest.
+    """
+    try:
+        kept = extra[_KEY]
+        pairs = tuple((str(view), str(serial)) for view, serial in kept["assignment"])
+        request = PlanRequest(**{**kept, "assignment": pairs})
+        request.plan()
+    except (KeyError, TypeError, ValueError, UsageError):
+        return None
+    return request

@@ -13,11 +13,11 @@ from insole_core.messages import Message, joined
 from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, Shot
 from insole_studio.acquisition.capture_setup import Calibrated, CaptureSetup
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.draft import Draft, ViewFacts
+from insole_studio.acquisition.driver_values import BusFullError, SensorError
 from insole_studio.acquisition.light import judge_light
+from insole_studio.acquisition.messages import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.rig import ColorSize, OpenSensor, Rig
-from insole_studio.acquisition.sensor_errors import BusFullError, SensorError
 from insole_studio.acquisition.view_frames import Beginning, Series, poll_depth
 
 _POLL_S = 0.002

@@ -14,13 +14,14 @@ from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CaptureStep
 from insole_studio.acquisition.capture_runner import CaptureCallbacks, CaptureRunner
 from insole_studio.acquisition.capture_setup import CaptureSetup
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.live_sensors import LiveSensors
 from insole_studio.acquisition.messages import (
     ALIVE_PERIOD_S,
     Alive,
     Cancel,
+    CapturePhase,
+    CaptureStatus,
     Command,
     Event,
     Find,

@@ -33,8 +33,8 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_core.recording.writer import foreign_in_session, write_session
+from insole_studio.acquisition.capture_plan import kept_request
 from insole_studio.acquisition.capture_setup import Calibrated
-from insole_studio.acquisition.plan_request import kept_request
 
 _TAKING = ".taking-"
 """Begins the name of the folder of a view that is not finished."""

@@ -6,7 +6,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from insole_studio.acquisition.sensor_errors import translating
+from insole_studio.acquisition.driver_values import translating
 from kinect_v1.errors import KinectError
 from kinect_v1.sensors import FoundSensor, SensorInfo, find_sensors, list_sensors
 from kinect_v1.usb_bus import UsbBus, system_bus

@@ -15,8 +15,7 @@ from insole_core.recording.session import ReferenceSystem, View
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import view_faces
-from insole_studio.acquisition.factory_calibration import factory_sensor, usual_sensor
-from insole_studio.acquisition.sensor_errors import translating
+from insole_studio.acquisition.driver_values import factory_sensor, translating, usual_sensor
 from kinect_v1.pixels import demosaic
 from kinect_v1.recordings import (
     RecordedFile,

@@ -20,7 +20,7 @@ from insole_core.recording.box import Box
 from insole_core.recording.session import ReferenceSystem
 from insole_core.sensing.disparity import NO_READING, DisparityModel
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.factory_calibration import resized_camera
+from insole_studio.acquisition.driver_values import resized_camera
 from insole_studio.acquisition.light import Light, judge_light
 
 NEAREST_MM, FARTHEST_MM = 550.0, 1000.0

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_studio.acquisition.capture_plan import MOST_SENSORS
+from insole_studio.acquisition.driver_values import SensorError
 from insole_studio.acquisition.messages import Sensors, SensorState
 from insole_studio.acquisition.rig import OpenSensor, Rig, infrared_picture, raw_image
-from insole_studio.acquisition.sensor_errors import SensorError
 
 _RATE_FRAMES = 16
 

@@ -13,9 +13,13 @@ import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.capture_status import DetectedSensor
-from insole_studio.acquisition.factory_calibration import factory_sensor
-from insole_studio.acquisition.sensor_errors import NoSensorFoundError, SensorError, translating
+from insole_studio.acquisition.driver_values import (
+    NoSensorFoundError,
+    SensorError,
+    factory_sensor,
+    translating,
+)
+from insole_studio.acquisition.messages import DetectedSensor
 from insole_studio.acquisition.warm_up import WarmUps
 from kinect_v1.errors import KinectError
 from kinect_v1.kinect_camera import CameraSettings, KinectCamera, open_camera

@@ -15,9 +15,9 @@ from insole_studio.acquisition.capture_setup import (
     own_setup,
     recorded_setup,
 )
+from insole_studio.acquisition.driver_values import translating
 from insole_studio.acquisition.emulated_rig import EmulatedRig, emulated_bursts, emulated_views
 from insole_studio.acquisition.rig import Rig
-from insole_studio.acquisition.sensor_errors import translating
 from insole_studio.acquisition.warm_up import WarmUps
 from kinect_v1.usb_bus import UsbBus, system_bus
 

@@ -9,8 +9,17 @@ from dataclasses import replace
 
 from insole_core.messages import Message
 from insole_studio.acquisition.capture_service import serve
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
-from insole_studio.acquisition.messages import Alive, Command, Event, Find, Quit, Sensors, Start
+from insole_studio.acquisition.messages import (
+    Alive,
+    CapturePhase,
+    CaptureStatus,
+    Command,
+    Event,
+    Find,
+    Quit,
+    Sensors,
+    Start,
+)
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture, SharedFrameBuffer
 

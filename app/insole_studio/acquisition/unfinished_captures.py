@@ -16,9 +16,9 @@ from insole_core.files.atomic import make_output_folder
 from insole_core.files.file_lock import FileLock
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
-from insole_studio.acquisition.capture_status import ViewStatus
+from insole_studio.acquisition.capture_plan import PlanRequest, kept_request
 from insole_studio.acquisition.draft import is_abandoned
-from insole_studio.acquisition.plan_request import PlanRequest, kept_request
+from insole_studio.acquisition.messages import ViewStatus
 
 _GONE = "{folder} holds no unfinished capture; it was used or discarded, or never was one."
 KEPT_DAYS = 30

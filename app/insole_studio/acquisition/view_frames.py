@@ -11,8 +11,8 @@ from insole_core.messages import Message
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import median_raw
 from insole_studio.acquisition.capture_plan import CapturePlan, Shot
-from insole_studio.acquisition.capture_status import ViewStatus
 from insole_studio.acquisition.light import Light
+from insole_studio.acquisition.messages import ViewStatus
 from insole_studio.acquisition.rig import OpenSensor, raw_image
 from insole_studio.acquisition.stabilisation import Stabilisation
 

@@ -22,11 +22,10 @@ from insole_studio.cli.stopping import Stopped
 
 if TYPE_CHECKING:
     from insole_core.recording.session import Manifest
-    from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep
+    from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, PlanRequest
     from insole_studio.acquisition.capture_setup import CaptureSetup
-    from insole_studio.acquisition.capture_status import CaptureStatus
     from insole_studio.acquisition.draft import Draft
-    from insole_studio.acquisition.plan_request import PlanRequest
+    from insole_studio.acquisition.messages import CaptureStatus
     from insole_studio.acquisition.sensor_source import SensorSource
 
 NAME = "capture"
@@ -133,8 +132,7 @@ def _request(
     arguments: argparse.Namespace, source: SensorSource, found: int, left: Draft | None
 ) -> PlanRequest:
     """Return what to capture: by the arguments, else as begun, else as in the emulated session."""
-    from insole_studio.acquisition.capture_plan import parse_assignment
-    from insole_studio.acquisition.plan_request import PlanRequest, kept_request
+    from insole_studio.acquisition.capture_plan import PlanRequest, kept_request, parse_assignment
 
     kept = kept_request(left.manifest.extra) if left else None
     if kept and arguments.views is None:

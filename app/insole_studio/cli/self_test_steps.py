@@ -38,8 +38,7 @@ from insole_core.workflows.compare_case import (
 )
 from insole_core.workflows.records.keep_case import add_case
 from insole_studio.acquisition.capture_plan import make_plan
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
-from insole_studio.acquisition.messages import Sensors, Start
+from insole_studio.acquisition.messages import CapturePhase, CaptureStatus, Sensors, Start
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.app.recorded_session import record_simulated

@@ -10,7 +10,7 @@ from insole_core.progress import Progress
 from insole_studio.cli.sensor_arguments import add_rig_arguments, sensor_source_of
 
 if TYPE_CHECKING:
-    from insole_studio.acquisition.capture_status import DetectedSensor
+    from insole_studio.acquisition.messages import DetectedSensor
 
 NAME = "sensors"
 HELP = "list the sensors: a line each with serial number, model, USB bus, and state"

@@ -24,10 +24,10 @@ from insole_studio.acquisition.capture_runner import (
     open_sensors,
 )
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM, CaptureSetup, SensorFiles
-from insole_studio.acquisition.capture_status import CaptureStatus
 from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.driver_values import SensorError
+from insole_studio.acquisition.messages import CaptureStatus
 from insole_studio.acquisition.rig import OpenSensor, Rig
-from insole_studio.acquisition.sensor_errors import SensorError
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage

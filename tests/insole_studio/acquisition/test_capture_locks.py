@@ -17,8 +17,8 @@ import pytest
 from insole_core.errors import InputError
 from insole_core.files.file_lock import FileLock
 from insole_core.recording.reader import read_session
+from insole_studio.acquisition.capture_plan import PlanRequest
 from insole_studio.acquisition.draft import is_abandoned
-from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.acquisition.unfinished_captures import (
     Drafts,
     UnfinishedCapture,

@@ -9,12 +9,13 @@ from insole_core.errors import UsageError
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_studio.acquisition.capture_plan import (
     CaptureStep,
+    PlanRequest,
     Shot,
+    kept_request,
     make_plan,
     parse_assignment,
     view_faces,
 )
-from insole_studio.acquisition.plan_request import PlanRequest, kept_request
 
 
 def test_sensors_take_turns_by_default() -> None:

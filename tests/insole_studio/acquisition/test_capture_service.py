@@ -15,10 +15,11 @@ from insole_core.messages import Message
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_studio.acquisition.capture_plan import CapturePlan, make_plan
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.messages import (
     ALIVE_PERIOD_S,
     Cancel,
+    CapturePhase,
+    CaptureStatus,
     Command,
     Event,
     Find,

@@ -32,9 +32,10 @@ from insole_core.workflows.calibration.picture_readiness import (
     wall_distance_mm,
 )
 from insole_studio.acquisition.capture_plan import make_plan
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus
 from insole_studio.acquisition.guidance import depth_colors
 from insole_studio.acquisition.messages import (
+    CapturePhase,
+    CaptureStatus,
     Infrared,
     Sensors,
     SensorState,

@@ -15,12 +15,13 @@ from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.messages import Message, joined
 from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
-from insole_studio.acquisition.capture_plan import CapturePlan
+from insole_studio.acquisition.capture_plan import CapturePlan, PlanRequest
 from insole_studio.acquisition.capture_setup import CaptureSetup
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.messages import (
     Cancel,
+    CapturePhase,
+    CaptureStatus,
     Command,
     Event,
     Find,
@@ -30,8 +31,8 @@ from insole_studio.acquisition.messages import (
     SensorState,
     Start,
     Tilt,
+    ViewStatus,
 )
-from insole_studio.acquisition.plan_request import PlanRequest
 from insole_studio.acquisition.unfinished_captures import (
     KEPT_DAYS,
     Drafts,

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from insole_studio.acquisition.capture_status import CaptureStatus, ViewStatus
+from insole_studio.acquisition.messages import CaptureStatus, ViewStatus
 from insole_studio.acquisition.unfinished_captures import HeldDraft, read_unfinished
 
 

@@ -11,8 +11,7 @@ from insole_core.progress import Progress
 from insole_core.reconstruct.volume import enclosed_volume
 from insole_studio.acquisition.capture_plan import view_faces
 from insole_studio.acquisition.capture_setup import CaptureSetup
-from insole_studio.acquisition.capture_status import CapturePhase
-from insole_studio.acquisition.factory_calibration import usual_sensor
+from insole_studio.acquisition.driver_values import usual_sensor
 from insole_studio.acquisition.guidance import (
     FrameSnapshot,
     Guidance,
@@ -20,7 +19,7 @@ from insole_studio.acquisition.guidance import (
     depth_colors,
     guide,
 )
-from insole_studio.acquisition.messages import WARM_UP_S, SensorState
+from insole_studio.acquisition.messages import WARM_UP_S, CapturePhase, SensorState
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.features.capture.hints import hint_text
 from insole_studio.texts import fill, localised, tr

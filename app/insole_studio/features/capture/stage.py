@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 
-from insole_studio.acquisition.plan_request import PlanRequest
+from insole_studio.acquisition.capture_plan import PlanRequest
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.features.capture.presenter import TILT_STEP_DEG, CapturePresenter

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import replace
 
 from insole_core.geometry.side import BOTH, Sides
-from insole_studio.acquisition.plan_request import PlanRequest
+from insole_studio.acquisition.capture_plan import PlanRequest
 from insole_studio.features.capture.rows import USUAL_VIEWS, VIEWS_OF_BOTH, CaptureOptions
 
 _FURTHER_VIEWS = tuple(f"view_{number}" for number in range(4, 12))

@@ -19,9 +19,18 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_setup import Calibrated, own_setup, recorded_setup
-from insole_studio.acquisition.capture_status import CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.draft import Draft, ViewFacts
-from insole_studio.acquisition.messages import Command, Event, Sensors, SensorState, Start, Tilt
+from insole_studio.acquisition.messages import (
+    CapturePhase,
+    CaptureStatus,
+    Command,
+    Event,
+    Sensors,
+    SensorState,
+    Start,
+    Tilt,
+    ViewStatus,
+)
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.acquisition.unfinished_captures import Drafts
 from insole_studio.features.capture.presenter import CapturePresenter

@@ -1,15 +1,21 @@
-"""The calibration stored in the device, converted to the core's type."""
+"""What the driver says in the core's words: errors, and the calibration stored in the device."""
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 
+from insole_core.errors import InsoleError
 from insole_core.sensing.disparity import FactoryDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor, nominal_kinect
 from kinect_v1.calibration import Calibration
+from kinect_v1.errors import BandwidthError, KinectError, NoSensorError
 
 _MM_PER_CM = 10.0
+log = logging.getLogger(__name__)
 
 
 def factory_sensor(
@@ -80,3 +86,32 @@ def resized_camera(camera: PinholeCamera, size: tuple[int, int]) -> PinholeCamer
         cx=(camera.cx + 0.5) * scale - 0.5,
         cy=(camera.cy + 0.5) * scale - 0.5 - cut,
     )
+
+
+class SensorError(InsoleError):
+    """A sensor is missing, cannot be used, or stopped working."""
+
+
+class NoSensorFoundError(SensorError):
+    """No sensor is plugged in, or not the requested one."""
+
+
+class BusFullError(SensorError):
+    """The USB controller cannot carry another stream."""
+
+
+_KINDS: tuple[tuple[type[KinectError], type[SensorError]], ...] = (
+    (BandwidthError, BusFullError),
+    (NoSensorError, NoSensorFoundError),
+)
+
+
+@contextmanager
+def translating() -> Iterator[None]:
+    """Convert the driver's errors, whose messages are sentences already, to the application's."""
+    try:
+        yield
+    except KinectError as error:
+        log.warning("%s", error)
+        kind = next((ours for theirs, ours in _KINDS if isinstance(error, theirs)), SensorError)
+        raise kind(str(error)) from error
