@@ -37,7 +37,7 @@ from insole_core.messages import Message, Translate
 from insole_core.milling.plan import FootInBlock, plan_milling
 from insole_core.progress import SILENT, Progress
 from insole_core.regular_file import is_folder
-from insole_core.scans.vertex_merging import merged
+from insole_core.scans.cleaning import merged
 from insole_core.solids.checks import survey_heights
 from insole_core.solids.export_job import ExportPaths, standing
 from insole_core.solids.marking import mark

@@ -12,12 +12,12 @@ from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QFormLayout, QLineEdi
 from insole_core.errors import InputError
 from insole_core.records.author import Role
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.clinic.password_fields import (
+from insole_studio.features.clinic.record_dialog import (
     PasswordFields,
+    RecordDialog,
     password_hint,
     secret_line,
 )
-from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_parts import ComboBox, mark_labels
 

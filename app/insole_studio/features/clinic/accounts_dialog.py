@@ -25,8 +25,7 @@ from insole_studio.features.clinic.account_form import (
     NewAccount,
     ResetPassword,
 )
-from insole_studio.features.clinic.password_fields import PasswordFields, password_hint
-from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.features.clinic.record_dialog import PasswordFields, RecordDialog, password_hint
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_parts import mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel

@@ -25,8 +25,7 @@ from insole_studio.features.clinic.backups import (
     read_state,
     report_text,
 )
-from insole_studio.features.clinic.password_fields import PasswordFields
-from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.features.clinic.record_dialog import PasswordFields, RecordDialog
 from insole_studio.jobs import JobProgress
 from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import UserMessages

@@ -20,8 +20,7 @@ from PySide6.QtWidgets import (
 from insole_core.errors import InputError
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.record_location import RecordLocation
-from insole_studio.features.clinic.password_fields import secret_line
-from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.features.clinic.record_dialog import RecordDialog, secret_line
 from insole_studio.jobs import Jobs
 from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import UserMessages

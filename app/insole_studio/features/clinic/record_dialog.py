@@ -1,4 +1,4 @@
-"""A dialog that asks the record: its answers and refusals are told in it."""
+"""A dialog that asks the record: its answers and refusals are told in it; and new passwords."""
 
 from __future__ import annotations
 
@@ -7,10 +7,18 @@ from typing import TYPE_CHECKING, TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 from shiboken6 import isValid
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InputError, InsoleError
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.texts import tr
 from insole_studio.widgets.message_label import MessageLabel
@@ -21,6 +29,7 @@ if TYPE_CHECKING:
 
 Answer = TypeVar("Answer")
 Done = Callable[[Answer], None]
+MOST_CHARACTERS = 1000
 
 
 class RecordDialog(QDialog):
@@ -135,3 +144,46 @@ class RecordDialog(QDialog):
         if not isinstance(error, InsoleError):
             raise error
         self.say(error.message, warns=True)
+
+
+def secret_line() -> QLineEdit:
+    """Return a line that does not show what is typed."""
+    line = QLineEdit()
+    line.setEchoMode(QLineEdit.EchoMode.Password)
+    line.setMaxLength(MOST_CHARACTERS)
+    return line
+
+
+def password_hint() -> str:
+    """Say what a password has to be."""
+    return tr("At least 12 characters, such as four words; capitals and signs are not asked for.")
+
+
+class PasswordFields:
+    """The lines, to be added to a form."""
+
+    def __init__(self) -> None:
+        self.first = secret_line()
+        self.again = secret_line()
+
+    def add_to(self, form: QFormLayout, label: str) -> None:
+        """Add both lines to a form."""
+        form.addRow(label, self.first)
+        form.addRow(tr("The same again"), self.again)
+
+    def clear(self) -> None:
+        """Forget what was typed."""
+        self.first.clear()
+        self.again.clear()
+
+    def read(self) -> str:
+        """Return what was typed.
+
+        Raises
+        ------
+        InputError
+            When the lines differ.
+        """
+        if self.first.text() != self.again.text():
+            raise InputError("The two lines are not the same; type both again.")
+        return self.first.text()

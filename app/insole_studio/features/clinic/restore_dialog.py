@@ -14,8 +14,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit
 from insole_core.progress import Progress
 from insole_studio.document.record_location import RecordLocation, settings_for
 from insole_studio.features.clinic.backups import Backups
-from insole_studio.features.clinic.password_fields import secret_line
-from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.features.clinic.record_dialog import RecordDialog, secret_line
 from insole_studio.jobs import JobProgress, Result, Task
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.files import Kept

@@ -9,12 +9,12 @@ from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 from insole_core.errors import FirstPassword, InputError, NotAllowed
 from insole_core.records.author import Author
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.clinic.password_fields import (
+from insole_studio.features.clinic.record_dialog import (
     PasswordFields,
+    RecordDialog,
     password_hint,
     secret_line,
 )
-from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.texts import tr
 from insole_studio.widgets.form_parts import mark_labels
 from insole_studio.widgets.message_label import MessageLabel

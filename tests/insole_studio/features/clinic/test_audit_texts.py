@@ -25,7 +25,7 @@ from insole_core.records.record_field import Choice, Day, Field, Number, fields_
 from insole_core.records.records import open_records
 from insole_core.records.retention import ErasureReason
 from insole_core.records.visit import CaptureState, Visit
-from insole_studio.features.clinic.audit_texts import FIELDS, NAMES, WORDS, details_text
+from insole_studio.features.clinic.audit_dialog import FIELDS, NAMES, WORDS, details_text
 from insole_studio.texts import load_language
 
 CORE = Path(insole_core.records.__file__).parents[1]
