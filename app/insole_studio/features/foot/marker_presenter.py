@@ -1,4 +1,4 @@
-"""Presenter of the colour image of a view and its marker corrections."""
+"""Presenter of the colour image of a view, of the marks on it and of their corrections."""
 
 from __future__ import annotations
 
@@ -6,15 +6,66 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
+import numpy as np
+
 from insole_core.geometry.arrays import ByteArray
+from insole_core.reconstruct import MarkerObservation, ViewResult
+from insole_core.reconstruct.views.measured_view import MeasuredView
 from insole_core.recording.hand_edits import NamedSpot, Pixel, Region, ViewEdits
 from insole_core.workflows.session_editor import SessionEditor
-from insole_studio.features.foot.marker_marks import marks_of
-from insole_studio.features.foot.rows import Mark
+from insole_studio.features.foot.rows import Mark, MarkState
 from insole_studio.texts import tr
 
+_SAME_PX = 1.0
 _SPOT_SHARE = 14 / 1280
 """Half the width of the region ignored around a blue spot, as a share of the image width."""
+
+
+def marks_of(measured: MeasuredView, result: ViewResult, edits: ViewEdits) -> tuple[Mark, ...]:
+    """Return the marks of a view, markers first.
+
+    Without a pose only manually placed markers are known.
+
+    Parameters
+    ----------
+    measured
+        The detections in the view.
+    result
+        The estimated pose, if any, and its residuals.
+    edits
+        The manual corrections of the view.
+    """
+    marks = [
+        Mark(
+            fix.id,
+            fix.pixel,
+            fix.projected,
+            _state(fix),
+            fix.by_hand,
+            fix.reprojection_px,
+            fix.residual_mm,
+        )
+        for fix in result.fixes
+    ]
+    known = {mark.id for mark in marks}
+    marks += [
+        Mark(spot.id, spot.pixel, None, "unused", by_hand=True)
+        for spot in edits.named
+        if spot.id not in known
+    ]
+    taken = np.array([mark.pixel for mark in marks]).reshape(-1, 2)
+    spots = [
+        Mark("", (float(u), float(v)), None, "spot")
+        for u, v in measured.blobs.centroids
+        if not (np.abs(taken - [u, v]).max(axis=1) < _SAME_PX).any()
+    ]
+    return (*marks, *spots)
+
+
+def _state(fix: MarkerObservation) -> MarkState:
+    if fix.excluded:
+        return "excluded"
+    return "used" if fix.used else "unused"
 
 
 class ImagePanel(Protocol):

@@ -31,7 +31,6 @@ from insole_core.workflows.make_foot import (
 )
 from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_core.workflows.session_editor import SessionEditor
-from insole_studio.features.foot.foot_maps import color_foot
 from insole_studio.features.foot.marker_presenter import ImagePanel, MarkerPresenter
 from insole_studio.features.foot.rows import (
     VIEW_COLORS,
@@ -39,6 +38,7 @@ from insole_studio.features.foot.rows import (
     FootMap,
     Limits,
     ViewRow,
+    color_foot,
     view_row,
 )
 from insole_studio.jobs import JobProgress, Jobs

@@ -10,9 +10,9 @@ from PySide6.QtGui import QCloseEvent
 
 from insole_core.geometry.side import Side
 from insole_core.reconstruct import RegistrationLimits
-from insole_studio.features.foot.box_dragger import BoxDragger
 from insole_studio.features.foot.presenter import FootStagePresenter
 from insole_studio.features.foot.view import FootStageView
+from insole_studio.features.foot.volume_box import BoxDragger
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame

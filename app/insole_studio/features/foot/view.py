@@ -24,11 +24,10 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import ViewEdits
-from insole_studio.features.foot.box_dragger import box_edges, box_handles
-from insole_studio.features.foot.box_fields import BoxFields
 from insole_studio.features.foot.marker_panel import MarkerPanel
 from insole_studio.features.foot.rows import Buttons, FootMap, Limits, Mark, ViewRow
 from insole_studio.features.foot.view_table import ViewTable
+from insole_studio.features.foot.volume_box import BoxFields, box_edges, box_handles
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject
