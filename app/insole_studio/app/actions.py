@@ -8,11 +8,11 @@ from typing import Any, TypeVar
 
 from insole_studio.app.features import Features
 from insole_studio.app.window_actions import WINDOW_ACTIONS, WindowFeature
-from insole_studio.features.calibrate.actions import CALIBRATE_ACTIONS
-from insole_studio.features.capture.actions import CAPTURE_ACTIONS
-from insole_studio.features.case_files.actions import CASE_FILE_ACTIONS
+from insole_studio.features.calibrate.calibrate_window import CALIBRATE_ACTIONS
+from insole_studio.features.capture.capture_window import CAPTURE_ACTIONS
+from insole_studio.features.case_files.case_files import CASE_FILE_ACTIONS
 from insole_studio.features.clinic.actions import CLINIC_ACTIONS
-from insole_studio.features.compare.actions import COMPARE_ACTIONS
+from insole_studio.features.compare.compare_window import COMPARE_ACTIONS
 from insole_studio.features.design.actions import DESIGN_ACTIONS
 from insole_studio.features.export.actions import EXPORT_ACTIONS
 from insole_studio.features.records.actions import RECORD_ACTIONS

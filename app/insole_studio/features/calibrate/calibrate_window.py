@@ -1,4 +1,4 @@
-"""The calibrate stage in a window of its own."""
+"""The calibrate stage in a window of its own, and the action that opens it."""
 
 from __future__ import annotations
 
@@ -8,12 +8,29 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.services.user_messages import UserMessages
+from insole_studio.texts import tr
 from insole_studio.user_paths import UserPaths
 
 if TYPE_CHECKING:
     from insole_studio.features.calibrate.stage import CalibrateStage
+
+CALIBRATE_ACTIONS: tuple[ActionRecord[CalibrateWindow], ...] = (
+    ActionRecord(
+        "calibrate",
+        lambda: tr("Calibrate sensors…"),
+        lambda: tr("Turn a sensor from the box into a measuring device"),
+        lambda window, _on: window.open(),
+    ),
+    ActionRecord(
+        "print_boards",
+        lambda: tr("Print calibration boards…"),
+        lambda: tr("Boards and marker templates at true size"),
+        lambda window, _on: window.print_boards(),
+    ),
+)
 
 
 class CalibrateWindow(StageWindow["CalibrateStage"]):

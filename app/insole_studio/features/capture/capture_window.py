@@ -1,4 +1,4 @@
-"""The capture stage in a window of its own; sensors are in use only while it is open."""
+"""The capture stage in a window of its own, and the action that opens it."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from insole_core.errors import UsageError
 from insole_core.records.visit import VisitSummary
 from insole_studio.acquisition.capture_plan import parse_assignment
 from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import tr
@@ -21,6 +22,16 @@ if TYPE_CHECKING:
     from insole_studio.features.capture.stage import CaptureStage
 
 log = logging.getLogger(__name__)
+CAPTURE_ACTIONS: tuple[ActionRecord[CaptureWindow], ...] = (
+    ActionRecord(
+        "capture",
+        lambda: tr("Capture…"),
+        lambda: tr("Capture a foot with the sensors"),
+        lambda window, _on: window.open(),
+        icon="capture",
+        shortcut="Ctrl+Shift+C",
+    ),
+)
 
 
 class CaptureWindow(StageWindow["CaptureStage"]):

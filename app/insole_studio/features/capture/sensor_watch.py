@@ -1,4 +1,4 @@
-"""The state of one sensor in the capture stage: its newest images and their assessment."""
+"""The state of one sensor in the capture stage: its newest images, and hints for setting it up."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.reconstruct.volume import enclosed_volume
 from insole_studio.acquisition.capture_plan import view_faces
@@ -15,17 +16,49 @@ from insole_studio.acquisition.driver_values import usual_sensor
 from insole_studio.acquisition.guidance import (
     FrameSnapshot,
     Guidance,
+    Hint,
+    HintKind,
     centre_depth_mm,
     depth_colors,
     guide,
 )
 from insole_studio.acquisition.messages import WARM_UP_S, CapturePhase, SensorState
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
-from insole_studio.features.capture.hints import hint_text
 from insole_studio.texts import fill, localised, tr
 from insole_studio.view_names import view_text
 
 _FULL_COLOR = (1280, 1024)
+
+
+def _hint_text(hint: Hint) -> str:
+    """Return the translated text of a hint."""
+    if hint.side is not None:
+        return _text_of_one_foot(hint.kind, hint.side)
+    texts = {
+        HintKind.NOTHING_MEASURED: tr("Almost nothing is measured; check distance and light"),
+        HintKind.TOO_NEAR: tr("Too near: {found:.0f} mm, at least {wanted:.0f} mm is good"),
+        HintKind.TOO_FAR: tr("Too far: {found:.0f} mm, at most {wanted:.0f} mm is good"),
+        HintKind.NO_MARKERS: tr(
+            "The markers are not recognised; bring the reference system into the picture"
+        ),
+        HintKind.MARKERS_HIDDEN: tr("{found:.0f} of {wanted:.0f} markers are hidden"),
+        HintKind.NO_FOOT: tr("No foot between the markers"),
+        HintKind.TOO_DARK: tr("Too dark; add light"),
+        HintKind.TOO_BRIGHT: tr("Too bright; turn strong lights away"),
+        HintKind.MOVING: tr("Something moves; hold the foot still"),
+    }
+    return fill(texts[hint.kind], found=hint.found, wanted=hint.wanted)
+
+
+def _text_of_one_foot(kind: HintKind, side: Side) -> str:
+    left = side is Side.LEFT
+    if kind is HintKind.FOOT_MISSING:
+        return tr("No left foot in its place") if left else tr("No right foot in its place")
+    return (
+        tr("The left foot is partly hidden by the right one; move the sensor or part the feet")
+        if left
+        else tr("The right foot is partly hidden by the left one; move the sensor or part the feet")
+    )
 
 
 class Pictures(Protocol):
@@ -119,7 +152,7 @@ class SensorWatch:
     @property
     def hints(self) -> tuple[str, ...]:
         """What to change, the most urgent first."""
-        return tuple(map(hint_text, self._guidance.hints)) if self._guidance is not None else ()
+        return tuple(map(_hint_text, self._guidance.hints)) if self._guidance is not None else ()
 
     def title(self) -> str:
         """Return the name of the view and the depth in the image centre."""

@@ -1,15 +1,26 @@
-"""The compare stage in a window of its own."""
+"""The compare stage in a window of its own, and the action that opens it."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from insole_core.cases.case_record import CaseRecord
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.stage_window import StageWindow
+from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_studio.features.compare.stage import CompareStage
+
+COMPARE_ACTIONS: tuple[ActionRecord[CompareWindow], ...] = (
+    ActionRecord(
+        "compare",
+        lambda: tr("Compare surfaces…"),
+        lambda: tr("How far feet, insoles and scans of moulds differ"),
+        lambda window, _on: window.open(),
+    ),
+)
 
 
 class CompareWindow(StageWindow["CompareStage"]):

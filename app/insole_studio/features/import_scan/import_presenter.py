@@ -22,17 +22,18 @@ from insole_core.progress import Progress
 from insole_core.scans.scale import KnownDistance, KnownFootLength
 from insole_core.workflows.import_scan import take_foot
 from insole_core.workflows.scanned_feet import ScannedFoot
-from insole_studio.features.import_scan.found_scan import FoundScan, find_scan
-from insole_studio.features.import_scan.import_dialog import ImportDialog
-from insole_studio.features.import_scan.scan_texts import (
+from insole_studio.features.import_scan.found_scan import (
     CLICKS,
+    FoundScan,
     candidate_text,
     click_name,
     click_sentence,
+    find_scan,
     finding_text,
     foot_text,
     unit_text,
 )
+from insole_studio.features.import_scan.import_dialog import ImportDialog
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.texts import tr

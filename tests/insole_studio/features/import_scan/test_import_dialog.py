@@ -24,8 +24,7 @@ from insole_core.simulate.foam_box import DOUBLE_MM, FoamBox, press_feet, pressi
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 from insole_studio.app.bootstrap import Application
-from insole_studio.features.import_scan.import_dialog import ImportDialog
-from insole_studio.features.import_scan.size_fields import SizeFields
+from insole_studio.features.import_scan.import_dialog import ImportDialog, SizeFields
 from insole_studio.services.questions import SameSide
 
 LEFT = Qt.MouseButton.LeftButton
