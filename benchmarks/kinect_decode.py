@@ -26,8 +26,7 @@ from typing import Any, cast
 import numpy as np
 
 from benchmarks._measure import print_table
-from kinect_v1.emulation.faults import FaultPlan
-from kinect_v1.emulation.packet_source import MICROFRAMES_PER_S, PacketSource
+from kinect_v1.emulation.packet_source import MICROFRAMES_PER_S, FaultPlan, PacketSource
 from kinect_v1.emulation.playback import make_footage
 from kinect_v1.isochronous import EventLoop, IsochronousStream, QueueSize, StreamTarget
 from kinect_v1.models import Model

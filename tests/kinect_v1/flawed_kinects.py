@@ -17,7 +17,7 @@ from kinect_v1.emulation.descriptors import (
     configuration_descriptor,
 )
 from kinect_v1.emulation.device import EmulatedCamera, EmulatedKinect
-from kinect_v1.emulation.faults import Fault
+from kinect_v1.emulation.packet_source import Fault
 from kinect_v1.models import Model
 from kinect_v1.modes import MODES, StreamMode
 

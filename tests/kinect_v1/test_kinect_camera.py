@@ -14,7 +14,7 @@ from kinect_v1 import commands
 from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
-from kinect_v1.emulation.faults import Fault, FaultKind
+from kinect_v1.emulation.packet_source import Fault, FaultKind
 from kinect_v1.errors import (
     BandwidthError,
     CommandRefusedError,

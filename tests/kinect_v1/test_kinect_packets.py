@@ -10,8 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinect_v1.emulation.faults import Fault, FaultPlan
-from kinect_v1.emulation.packet_source import PacketSource
+from kinect_v1.emulation.packet_source import Fault, FaultPlan, PacketSource
 from kinect_v1.modes import BAYER_1280, DEPTH_11, MODES, VIDEO, StreamMode
 from kinect_v1.packets import FrameAssembler, PacketBlock
 

@@ -1,9 +1,4 @@
-"""Assembly of isochronous packets into whole frames, or none (PROTOCOL.md, section 3).
-
-A frame is delivered only if every one of its packets arrived, in order, with the right magic, flag,
-length and sequence number. Anything else discards the whole frame: for measurement, a frame with
-stripes of another frame is worse than none.
-"""
+"""Isochronous packets: their header, and whole frames of them or none (PROTOCOL.md, section 3)."""
 
 from __future__ import annotations
 
@@ -15,12 +10,39 @@ from numpy.typing import NDArray
 
 from kinect_v1.errors import KinectError
 from kinect_v1.modes import StreamMode
-from kinect_v1.packet_header import HEADER_BYTES, MAGIC, packet_flag
 
+MAGIC = b"RB"
+HEADER_BYTES = 12
+FIRST, MIDDLE, LAST = 0x1, 0x2, 0x5
+_HEADER = struct.Struct("<2sxBxBHI")
 ByteArray = NDArray[np.uint8]
-
 _TIMESTAMP = struct.Struct("<I")
 _TIMESTAMP_OFFSET = 8
+
+
+def packet_flag(mode: StreamMode, index: int) -> int:
+    """Return the flag of packet `index` of a frame.
+
+    Parameters
+    ----------
+    index
+        From 0.
+    """
+    place = {0: FIRST, mode.packets - 1: LAST}.get(index, MIDDLE)
+    return mode.kind.flag | place
+
+
+def encode_header(flag: int, sequence: int, length: int, device_time: int) -> bytes:
+    """Encode the header of one packet.
+
+    Parameters
+    ----------
+    length
+        Of header and payload, bytes.
+    device_time
+        The sensor's clock.
+    """
+    return _HEADER.pack(MAGIC, flag, sequence & 0xFF, length, device_time & 0xFFFFFFFF)
 
 
 class PacketBlock(NamedTuple):

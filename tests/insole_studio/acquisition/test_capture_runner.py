@@ -23,7 +23,7 @@ from insole_studio.acquisition.capture_runner import open_sensors
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.driver_values import BusFullError, NoSensorFoundError, SensorError
 from insole_studio.acquisition.messages import CapturePhase, CaptureStatus
-from kinect_v1.emulation.faults import Fault
+from kinect_v1.emulation.packet_source import Fault
 from kinect_v1.emulation.playback import make_footage
 
 PLAN = make_plan(ASSIGNMENT, frames=FRAMES)

@@ -14,6 +14,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from kinect_v1.emulation.descriptors import parse_configuration, parse_device
 from kinect_v1.emulation.device import (
     EmulatedFunction,
     EmulatedKinect,
@@ -21,7 +22,6 @@ from kinect_v1.emulation.device import (
     StallError,
 )
 from kinect_v1.emulation.packet_source import MICROFRAMES_PER_S
-from kinect_v1.emulation.parsed_descriptors import parse_configuration, parse_device
 from kinect_v1.isochronous import unplugged
 from kinect_v1.packets import PacketBlock, PacketReceiver
 from kinect_v1.usb_bus import RunningStream, StreamingBackend, UsbError

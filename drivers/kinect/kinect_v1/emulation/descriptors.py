@@ -1,9 +1,11 @@
-"""USB descriptors of a Kinect's functions, as bytes."""
+"""USB descriptors of a Kinect's functions: as bytes, and as objects that pyusb expects."""
 
 from __future__ import annotations
 
 import struct
+from collections.abc import Iterator
 from dataclasses import dataclass
+from types import SimpleNamespace
 
 from kinect_v1.models import VENDOR
 
@@ -11,6 +13,27 @@ ISOCHRONOUS, BULK = 0x01, 0x02
 ISO_PACKET_SIZE = 0x0BC0
 """2 transactions of 960 bytes a microframe."""
 MANUFACTURER = "Microsoft"
+_DEVICE = (
+    "<BBHBBBBHHHBBBB",
+    "bLength bDescriptorType bcdUSB bDeviceClass bDeviceSubClass bDeviceProtocol bMaxPacketSize0 "
+    "idVendor idProduct bcdDevice iManufacturer iProduct iSerialNumber bNumConfigurations",
+)
+_PARTS = {
+    2: (
+        "<BBHBBBBB",
+        "bLength bDescriptorType wTotalLength bNumInterfaces bConfigurationValue iConfiguration "
+        "bmAttributes bMaxPower",
+    ),
+    4: (
+        "<9B",
+        "bLength bDescriptorType bInterfaceNumber bAlternateSetting bNumEndpoints bInterfaceClass "
+        "bInterfaceSubClass bInterfaceProtocol iInterface",
+    ),
+    5: (
+        "<BBBBHB",
+        "bLength bDescriptorType bEndpointAddress bmAttributes wMaxPacketSize bInterval",
+    ),
+}
 
 
 @dataclass(frozen=True)
@@ -73,3 +96,36 @@ def string_descriptor(strings: tuple[str, ...], index: int) -> bytes | None:
         return None
     text = struct.pack("<H", 0x0409) if index == 0 else strings[index - 1].encode("utf-16-le")
     return bytes((len(text) + 2, 3)) + text
+
+
+def _parse(layout: tuple[str, str], raw: bytes) -> SimpleNamespace:
+    values = struct.unpack_from(layout[0], raw)
+    names = layout[1].split()
+    return SimpleNamespace(**dict(zip(names, values, strict=True)), extra_descriptors=[])
+
+
+def parse_device(raw: bytes) -> SimpleNamespace:
+    """Parse a device descriptor."""
+    return _parse(_DEVICE, raw)
+
+
+def _parts(raw: bytes) -> Iterator[SimpleNamespace]:
+    while raw:
+        yield _parse(_PARTS[raw[1]], raw)
+        raw = raw[raw[0] :]
+
+
+def parse_configuration(raw: bytes) -> SimpleNamespace:
+    """Parse a configuration; its `interfaces[number][alternate].endpoints[i]` hold the rest."""
+    configuration, *rest = _parts(raw)
+    configuration.interfaces = []
+    for part in rest:
+        if part.bDescriptorType == 4:
+            if part.bAlternateSetting == 0:
+                configuration.interfaces.append([])
+            part.endpoints = []
+            configuration.interfaces[-1].append(part)
+        else:
+            part.bRefresh = part.bSynchAddress = 0
+            configuration.interfaces[-1][-1].endpoints.append(part)
+    return configuration

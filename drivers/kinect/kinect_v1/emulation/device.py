@@ -18,8 +18,7 @@ from kinect_v1.emulation.descriptors import (
     device_descriptor,
     string_descriptor,
 )
-from kinect_v1.emulation.faults import Fault, FaultPlan
-from kinect_v1.emulation.packet_source import PacketSource
+from kinect_v1.emulation.packet_source import Fault, FaultPlan, PacketSource
 from kinect_v1.errors import ProtocolError
 from kinect_v1.models import Model
 from kinect_v1.modes import DEPTH, MODES, VIDEO, StreamMode, mode_from_registers
