@@ -19,7 +19,7 @@ from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.scans.cleaning import INSIDE_OUT
 from insole_core.scans.mesh_file import ReadMesh
-from insole_core.workflows.scan_doubts import NOTHING_SAID, FootSaid, at_known_length
+from insole_core.workflows.scan_doubts import NO_WORD, FootSaid, at_known_length
 from insole_core.workflows.scanned_feet import named_feet
 
 _HARDLY_MM, _SHALLOW_MM = 8.0, 14.0
@@ -53,7 +53,7 @@ class ImprintedFeet:
 
 
 def find_imprinted_feet(
-    read: ReadMesh, form: Form | None = None, said: FootSaid = NOTHING_SAID
+    read: ReadMesh, form: Form | None = None, said: FootSaid = NO_WORD
 ) -> ImprintedFeet | None:
     """Find the feet that were pressed into a scanned surface, or into both of a folder.
 

@@ -72,7 +72,7 @@ class FootSaid:
         return replace(self, pose=None if self.pose is None else self.pose.scaled(factor))
 
 
-NOTHING_SAID = FootSaid()
+NO_WORD = FootSaid()
 
 
 def at_known_length(
@@ -219,7 +219,7 @@ def with_rimless_doubt(read: ReadMesh, found: FoundFoot) -> FoundFoot:
     return replace(found, doubts=(*found.doubts, doubt))
 
 
-def with_name_doubts(found: FoundFoot, read: ReadMesh, said: FootSaid = NOTHING_SAID) -> FoundFoot:
+def with_name_doubts(found: FoundFoot, read: ReadMesh, said: FootSaid = NO_WORD) -> FoundFoot:
     """Return the only foot of a file, in doubt if the file's name tells the other side."""
     if read.part is None:
         return found

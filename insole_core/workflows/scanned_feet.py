@@ -21,7 +21,7 @@ from insole_core.recording.store import MAX_ARCHIVE_BYTES
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.scans.surroundings import second_foot, without_surroundings
 from insole_core.workflows.scan_doubts import (
-    NOTHING_SAID,
+    NO_WORD,
     FootSaid,
     at_known_length,
     with_name_doubts,
@@ -35,7 +35,7 @@ MANIFEST = "manifest.json"
 
 
 def find_scanned_feet(
-    read: ReadMesh, said: FootSaid = NOTHING_SAID, is_foot: bool = False
+    read: ReadMesh, said: FootSaid = NO_WORD, is_foot: bool = False
 ) -> tuple[ReadMesh, tuple[str, ...], tuple[FoundFoot, ...]]:
     """Leave out what surrounds the feet in a scan, find them, and scale them to a known length.
 

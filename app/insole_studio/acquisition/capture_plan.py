@@ -1,4 +1,4 @@
-"""The plan of a capture, which sensor records which view, and the request that it can be resumed by."""
+"""The plan of a capture, which sensor records which view, and the request to resume it by."""
 
 from __future__ import annotations
 

@@ -1,27 +1,212 @@
-"""Signing in, and the lock of the windows while nobody uses them."""
+"""Signing in, and the lock of the windows while nobody uses them: what it hides, when it falls."""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QDialog
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QApplication, QDialog, QLabel, QVBoxLayout, QWidget
 
 from insole_core.errors import InsoleError
 from insole_core.records.author import Author
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.clinic.accounts_dialog import read_lock_minutes
-from insole_studio.features.clinic.idle_watch import IdleWatch
-from insole_studio.features.clinic.lock_cover import LockCover
 from insole_studio.features.clinic.sign_in_dialog import SignInDialog
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 from insole_studio.widgets.text_fields import commit_typed_text
 
+LOOK_EVERY_MS = 5000
+_INPUT = frozenset(
+    {
+        QEvent.Type.KeyPress,
+        QEvent.Type.MouseButtonPress,
+        QEvent.Type.MouseMove,
+        QEvent.Type.Wheel,
+        QEvent.Type.TouchBegin,
+        QEvent.Type.TouchUpdate,
+        QEvent.Type.TabletPress,
+        QEvent.Type.TabletMove,
+    }
+)
+_LOCKED_OUT = frozenset(
+    {
+        QEvent.Type.KeyPress,
+        QEvent.Type.KeyRelease,
+        QEvent.Type.ShortcutOverride,
+        QEvent.Type.Shortcut,
+        QEvent.Type.MouseButtonPress,
+        QEvent.Type.MouseButtonRelease,
+        QEvent.Type.MouseButtonDblClick,
+        QEvent.Type.MouseMove,
+        QEvent.Type.Wheel,
+        QEvent.Type.ContextMenu,
+        QEvent.Type.TouchBegin,
+        QEvent.Type.TabletPress,
+        QEvent.Type.Drop,
+        QEvent.Type.DragEnter,
+        QEvent.Type.ToolTip,
+    }
+)
 _CANNOT_LEAVE = (KeepState.REFUSED, KeepState.CONFLICT)
 SECONDS_OF_MINUTE = 60
+
+
+class IdleWatch(QObject):
+    """Looks at the events of the application while it runs, and costs nothing otherwise."""
+
+    idle = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._most_s = 0.0
+        self._monotonic_s = self._clock_s = 0.0
+        self._timer = QTimer(self)
+        self._timer.setInterval(LOOK_EVERY_MS)
+        self._timer.timeout.connect(self._look)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether somebody's time runs."""
+        return self._timer.isActive()
+
+    def start(self, most_s: float) -> None:
+        """Emit `idle` after so many seconds without input."""
+        self.stop()
+        self._most_s = most_s
+        self._note_input()
+        QCoreApplication.instance().installEventFilter(self)  # type: ignore[union-attr]
+        self._timer.start()
+
+    def stop(self) -> None:
+        """Look no more."""
+        if self._timer.isActive():
+            self._timer.stop()
+            QCoreApplication.instance().removeEventFilter(self)  # type: ignore[union-attr]
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Note input; none is withheld."""
+        if event.type() in _INPUT and event.spontaneous():
+            self._note_input()
+        return False
+
+    def _note_input(self) -> None:
+        self._monotonic_s, self._clock_s = time.monotonic(), time.time()
+
+    def _look(self) -> None:
+        # The monotonic clock stands still while a computer sleeps, and the other one may jump.
+        idle_s = max(time.monotonic() - self._monotonic_s, time.time() - self._clock_s)
+        if idle_s >= self._most_s:
+            self.stop()
+            self.idle.emit()
+
+
+class _LockCover(QObject):
+    """Covers every window but the one that asks for a password, also windows that come later.
+
+    Their titles, which name patients, are hidden too. `lift` shows everything as it was.
+    """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._dialog: QWidget | None = None
+        self._words = ""
+        self._covers: dict[QWidget, _Cover] = {}
+
+    def put_over_all(self, words: str, *, but: QWidget) -> None:
+        """Cover all windows but one.
+
+        Parameters
+        ----------
+        words
+            What the covers and titles say.
+        """
+        self._dialog, self._words = but, words
+        _close_popups()
+        for window in QApplication.topLevelWidgets():
+            self._cover(window)
+        QCoreApplication.instance().installEventFilter(self)  # type: ignore[union-attr]
+
+    def lift(self) -> None:
+        """Show the windows again."""
+        QCoreApplication.instance().removeEventFilter(self)  # type: ignore[union-attr]
+        covers, self._covers = self._covers, {}
+        for cover in covers.values():
+            cover.lift()
+        self._dialog = None
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Withhold input from all but the dialog; cover windows that are shown."""
+        if self._dialog is None or not isinstance(watched, QWidget):
+            return False
+        if event.type() == QEvent.Type.Show and watched.isWindow():
+            self._cover(watched)
+        elif event.type() in _LOCKED_OUT:
+            return watched.window() is not self._dialog
+        return False
+
+    def _cover(self, window: QWidget) -> None:
+        if window is self._dialog or window in self._covers or not window.isVisible():
+            return
+        if window.windowType() in (Qt.WindowType.ToolTip, Qt.WindowType.Popup):
+            window.hide()
+            return
+        cover = _Cover(window, self._words)
+        self._covers[window] = cover
+        cover.destroyed.connect(lambda: self._covers.pop(window, None))
+
+
+class _Cover(QWidget):
+    """Fills a window, and keeps its title."""
+
+    def __init__(self, window: QWidget, words: str) -> None:
+        super().__init__(window)
+        self.setAutoFillBackground(True)
+        label = QLabel(words)
+        label.setObjectName("heading")
+        label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        layout = QVBoxLayout(self)
+        layout.addWidget(label)
+        self._covering_title = f"Insole Studio – {words}"
+        self._window = window
+        self._title = window.windowTitle()
+        self._hide_title()
+        window.installEventFilter(self)
+        self.setGeometry(window.rect())
+        self.raise_()
+        self.show()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Follow the size of the window, and hide a new title of it."""
+        if event.type() == QEvent.Type.Resize:
+            self.setGeometry(self._window.rect())
+        elif event.type() == QEvent.Type.WindowTitleChange:
+            self._hide_title()
+        elif event.type() in (QEvent.Type.ChildPolished, QEvent.Type.LayoutRequest):
+            self.raise_()
+        return False
+
+    def lift(self) -> None:
+        """Show the window with its title again."""
+        self._window.removeEventFilter(self)
+        self._window.setWindowTitle(self._title)
+        self.hide()
+        self.deleteLater()
+
+    def _hide_title(self) -> None:
+        title = self._window.windowTitle()
+        if title != self._covering_title:
+            self._title = title
+            self._window.setWindowTitle(self._covering_title)
+
+
+def _close_popups() -> None:
+    while (popup := QApplication.activePopupWidget()) is not None:
+        if not popup.close():
+            return
 
 
 class SessionLock(QObject):
@@ -54,7 +239,7 @@ class SessionLock(QObject):
         self._clinic = services.clinic
         self._keep_now = keep_now
         self._hide_patients = hide_patients
-        self._cover = LockCover(self)
+        self._cover = _LockCover(self)
         self._idle = IdleWatch(self)
         self._idle.idle.connect(self.lock)
         self._author: Author | None = None

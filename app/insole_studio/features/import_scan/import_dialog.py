@@ -22,7 +22,6 @@ from insole_core.cases.scan_source import ImportChoice
 from insole_core.formats.units import Unit
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.scans.mesh_file import Unit
 from insole_core.scans.scale import KnownFootLength, KnownShoeSize, KnownSize
 from insole_studio.features.import_scan.found_scan import form_options, side_text, unit_options
 from insole_studio.scene.point_picker import PointPicker

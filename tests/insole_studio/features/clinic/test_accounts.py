@@ -19,7 +19,7 @@ from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
-from insole_studio.features.clinic import idle_watch
+from insole_studio.features.clinic import session_lock
 from insole_studio.features.clinic.account_form import ChangedAccount, NewAccount, OwnPassword
 from insole_studio.features.clinic.accounts_dialog import AccountsDialog
 from insole_studio.features.clinic.sign_in_dialog import SignInDialog
@@ -180,23 +180,23 @@ def test_windows_that_open_while_it_is_locked_are_covered_too(
 def test_the_window_locks_itself_after_minutes_without_input(
     with_accounts: Application, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(idle_watch.IdleWatch, "start", _start_in_seconds)
+    monkeypatch.setattr(session_lock.IdleWatch, "start", _start_in_seconds)
     signed_in(with_accounts, qtbot)
     lock = with_accounts.features.clinic.lock
     qtbot.waitUntil(lambda: lock.dialog is not None)
 
 
-def _start_in_seconds(watch: idle_watch.IdleWatch, most_s: float) -> None:
+def _start_in_seconds(watch: session_lock.IdleWatch, most_s: float) -> None:
     """Let a minute be a twentieth of a second."""
     _START(watch, most_s / 1200)
     watch._timer.setInterval(50)
 
 
-_START = idle_watch.IdleWatch.start
+_START = session_lock.IdleWatch.start
 
 
 def test_input_keeps_the_window_open(with_accounts: Application, qtbot: QtBot) -> None:
-    watch = idle_watch.IdleWatch(with_accounts.window)
+    watch = session_lock.IdleWatch(with_accounts.window)
     ended: list[bool] = []
     watch.idle.connect(lambda: ended.append(True))
     watch.start(0.6)
