@@ -8,7 +8,6 @@ from pathlib import Path
 
 from insole_core.errors import InputError
 from insole_core.files.atomic import make_output_folder, replacing_file
-from insole_core.files.named_files import NamedFiles
 from insole_core.forgiving_json import remembered
 from insole_core.insole.forms.form_file import read_form, write_form
 from insole_core.insole.prescription.base_form import Form
@@ -16,6 +15,7 @@ from insole_core.insole.prescription.device import Device, read_device, write_de
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.messages import Message
 from insole_core.resources import resource_path
+from insole_core.workflows.named_files import NamedFiles
 
 DEFAULT_DEVICE = "EVA, full length"
 """The device of new designs, while a clinic has chosen no other."""

@@ -11,7 +11,6 @@ from typing import Any
 
 from insole_core.errors import DesignError, InputError
 from insole_core.files.atomic import make_output_folder, replacing_file
-from insole_core.files.named_files import Listed
 from insole_core.forgiving_json import keep_unreadable, set_aside
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
@@ -25,6 +24,7 @@ from insole_core.insole.prescription.shell import Shell
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 from insole_core.workflows.findings import Finding, ProposedPad, set_values
+from insole_core.workflows.named_files import Listed
 
 FORMAT, VERSION = "insole-findings", 1
 _SIMPLE = (

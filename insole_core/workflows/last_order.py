@@ -10,7 +10,6 @@ from typing import Any, get_args, get_type_hints
 
 from insole_core.errors import InputError
 from insole_core.files.atomic import make_output_folder, replacing_file
-from insole_core.files.named_files import NamedFiles
 from insole_core.forgiving_json import remembered
 from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.insole.prescription.item_name import key_of
@@ -20,6 +19,7 @@ from insole_core.solids.shop import Block, Shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.make_order import OrderChoice, Package
 from insole_core.workflows.mill import MillingChoice
+from insole_core.workflows.named_files import NamedFiles
 from insole_core.workflows.print_order import PrintChoice
 
 log = logging.getLogger(__name__)

@@ -10,7 +10,6 @@ import numpy as np
 
 from insole_core.errors import InputError, UsageError
 from insole_core.files.atomic import write_text
-from insole_core.files.named_files import NamedFiles
 from insole_core.formats.file_formats import PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of
@@ -23,6 +22,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportJob, ExportPaths
 from insole_core.solids.shop import Block
+from insole_core.workflows.named_files import NamedFiles
 
 
 @dataclass(frozen=True)

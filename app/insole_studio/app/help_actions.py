@@ -27,7 +27,7 @@ from insole_studio.app.manual_pages import (
     PAGE_OF_TOOL,
     manual_page,
     page_about,
-    page_of_module,
+    page_of_kind,
 )
 from insole_studio.app.text_dialog import TextDialog
 from insole_studio.app.tour_stops import tour_stops
@@ -191,7 +191,7 @@ class HelpActions(QObject):
     def _about_panels(self) -> str:
         """Name the page about what the main window shows, wherever in its frame the focus is."""
         if self._window.page is not None:
-            return page_of_module(type(self._window.page).__module__) or FIRST_PAGE
+            return page_of_kind(type(self._window.page)) or FIRST_PAGE
         if self._services.case.foot is None:
             return FIRST_PAGE
         return PAGE_OF_TOOL.get(self._features.design.stage.tool_controller.tool.key, "design")

@@ -12,8 +12,8 @@ from insole_core.resources import resource_path
 
 FIRST_PAGE = "first-insole"
 NEWS_PAGE = "whats-new"
-PAGE_OF_MODULE = {
-    "app.doctor_dialog": "troubleshooting",
+PAGES = {
+    "app.help_actions": "troubleshooting",
     "app.text_dialog": "troubleshooting",
     "features.calibrate": "calibration",
     "features.capture": "capture",
@@ -28,16 +28,15 @@ PAGE_OF_MODULE = {
     "features.foot": "foot",
     "features.import_scan": "scans",
     "features.records": "patients",
-    "features.records.conflict_dialog": "stations",
-    "features.records.field_conflict_dialog": "stations",
     "features.records.import_dialog": "import-and-export",
-    "features.records.person_export_dialog": "import-and-export",
-    "features.records.table_import_dialog": "import-and-export",
-    "widgets.error_dialog": "troubleshooting",
+    "features.records.record_transfer": "import-and-export",
+    "features.records.version_dialogs": "stations",
+    "features.records.version_dialogs.HistoryDialog": "patients",
     "widgets.key_help": "keyboard",
+    "widgets.message_label.ErrorDialog": "troubleshooting",
     "widgets.rim_chart": "rim-and-device",
 }
-"""The page about the widgets of a package or module; the longest name that fits counts."""
+"""The page about the widgets of a package, module or class; the longest name that fits counts."""
 PAGE_OF_TOOL = {"rim": "rim-and-device", "plantar": "pressure"}
 """The page about a tool of the design, where it has one of its own."""
 
@@ -53,19 +52,19 @@ def page_about(widget: QWidget | None, panels: Callable[[], str]) -> str:
         Names the page about the panels of the main window, which belong to none of the others.
     """
     while widget is not None:
-        page = page_of_module(type(widget).__module__)
+        page = page_of_kind(type(widget))
         if page is not None:
             return page
         widget = widget.parentWidget()
     return panels()
 
 
-def page_of_module(module: str) -> str | None:
-    """Return the page about what a module shows, if there is one."""
-    name = module.removeprefix("insole_studio.")
-    while name and name not in PAGE_OF_MODULE:
+def page_of_kind(kind: type) -> str | None:
+    """Return the page about a kind of widget, if there is one."""
+    name = f"{kind.__module__}.{kind.__name__}".removeprefix("insole_studio.")
+    while name and name not in PAGES:
         name = name.rpartition(".")[0]
-    return PAGE_OF_MODULE.get(name)
+    return PAGES.get(name)
 
 
 def manual_page(name: str, language: str) -> Path:

@@ -29,7 +29,7 @@ from insole_core.insole.fields import declared
 from insole_core.resources import resource_path
 from insole_studio.app import help_actions, manual_pages
 from insole_studio.app.bootstrap import Application
-from insole_studio.app.manual_pages import PAGE_OF_MODULE, PAGE_OF_TOOL, manual_page, page_of_module
+from insole_studio.app.manual_pages import PAGE_OF_TOOL, PAGES, manual_page, page_of_kind
 from insole_studio.cli.main import COMMANDS, command_parser
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import translation_into
@@ -153,15 +153,21 @@ def test_every_dialog_and_stage_has_a_page() -> None:
         for name, kind in inspect.getmembers(importlib.import_module(module), inspect.isclass)
         if kind.__module__ == module
         and issubclass(kind, (QDialog, StageFrame, StageWindow))
-        and page_of_module(module) is None
+        and page_of_kind(kind) is None
     ]
     assert without == []
 
 
 def test_pages_that_the_window_opens_exist_and_their_modules_too() -> None:
-    for name in PAGE_OF_MODULE:
-        assert importlib.util.find_spec(f"insole_studio.{name}") is not None, name
-    pages = {*PAGE_OF_MODULE.values(), *PAGE_OF_TOOL.values(), manual_pages.FIRST_PAGE}
+    for name in PAGES:
+        module, _, kind = name.rpartition(".")
+        if kind[0].isupper():
+            assert inspect.isclass(
+                getattr(importlib.import_module(f"insole_studio.{module}"), kind)
+            )
+        else:
+            assert importlib.util.find_spec(f"insole_studio.{name}") is not None, name
+    pages = {*PAGES.values(), *PAGE_OF_TOOL.values(), manual_pages.FIRST_PAGE}
     assert [page for page in sorted(pages) if not (MANUAL / f"{page}.md").exists()] == []
 
 

@@ -1,4 +1,4 @@
 """Calibrating sensors, in a window of its own.
 
-``actions.CALIBRATE_ACTIONS`` of ``calibrate_window.CalibrateWindow``.
+``calibrate_window.CALIBRATE_ACTIONS`` of ``calibrate_window.CalibrateWindow``.
 """

@@ -1,4 +1,4 @@
 """Capturing a foot with live sensors.
 
-``actions.CAPTURE_ACTIONS`` of ``capture_window.CaptureWindow``.
+``capture_window.CAPTURE_ACTIONS`` of ``capture_window.CaptureWindow``.
 """

@@ -1,4 +1,4 @@
 """New, open, save and recover.
 
-``actions.CASE_FILE_ACTIONS`` of ``case_files.CaseFiles``.
+``case_files.CASE_FILE_ACTIONS`` of ``case_files.CaseFiles``.
 """

@@ -1,4 +1,4 @@
 """Comparing surfaces.
 
-``actions.COMPARE_ACTIONS`` of ``compare_window.CompareWindow``.
+``compare_window.COMPARE_ACTIONS`` of ``compare_window.CompareWindow``.
 """

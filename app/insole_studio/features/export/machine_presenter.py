@@ -11,7 +11,6 @@ import numpy as np
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.errors import InsoleError
-from insole_core.files.named_files import NamedFiles
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, transform
@@ -25,6 +24,7 @@ from insole_core.solids.order import Part
 from insole_core.solids.shop import Shop
 from insole_core.workflows.make_order import MadeFor, OrderChoice, prepare
 from insole_core.workflows.mill import MillingChoice
+from insole_core.workflows.named_files import NamedFiles
 from insole_core.workflows.print_order import PrintChoice, pressure_maps
 from insole_studio.features.export.machine_fields import Machines
 from insole_studio.features.export.part_colors import PartColors, colors_of, placed_together

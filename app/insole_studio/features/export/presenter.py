@@ -15,7 +15,6 @@ from insole_core.cases.days import read_day
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import InsoleError
 from insole_core.export.shop_order import OrderTerms, Release, ShopOrder
-from insole_core.files.named_files import NamedFiles
 from insole_core.formats.solid_content import merged
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -45,6 +44,7 @@ from insole_core.workflows.make_order import (
     write_order,
 )
 from insole_core.workflows.mill import MillingChoice
+from insole_core.workflows.named_files import NamedFiles
 from insole_core.workflows.order_package import (
     Ordered,
     PackedItem,

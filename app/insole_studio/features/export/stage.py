@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 
-from insole_core.files.named_files import NamedFiles
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.milling.machine import Machine
@@ -13,6 +12,7 @@ from insole_core.solids.shop import Shop
 from insole_core.workflows.clinic_blocks import ClinicBlocks
 from insole_core.workflows.clinic_export_rules import ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
+from insole_core.workflows.named_files import NamedFiles
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import Stock
 from insole_studio.features.export.presenter import WRITING, ExportPresenter, OrderAsker

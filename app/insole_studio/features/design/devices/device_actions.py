@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from insole_core.errors import InsoleError
-from insole_core.files.named_files import Item, NamedFiles
 from insole_core.insole.kept_form import form_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device, device_of
@@ -23,6 +22,7 @@ from insole_core.workflows.clinic_devices import (
 from insole_core.workflows.clinic_findings import ClinicFindings
 from insole_core.workflows.findings import Catalogue, Finding, apply_finding
 from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.named_files import Item, NamedFiles
 from insole_core.workflows.pad_library import LibraryPad
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.insole_preview import InsolePreview

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
 
-from insole_core.files.named_files import Listed
 from insole_core.folded_text import fold
 from insole_core.foot.foot import Foot
 from insole_core.insole.forms.form_surface import check_length
@@ -15,6 +14,7 @@ from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device
 from insole_core.workflows.findings import Finding
+from insole_core.workflows.named_files import Listed
 from insole_studio.texts import tr, translate_core_message
 
 
