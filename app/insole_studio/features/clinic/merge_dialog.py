@@ -15,6 +15,7 @@ from insole_core.records.person import Person, PersonSummary
 from insole_core.records.record_field import typed_fields
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.services.person_list import person_headings, person_rows
 from insole_studio.texts import fill, moment_text, tr, translate_core_message
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
@@ -107,7 +108,7 @@ class _PersonPicker(QWidget):
 
     def _show(self, found: Sequence[PersonSummary]) -> None:
         self._found = {person.id: person for person in found}
-        self.table.show_rows([_person_row(person) for person in found])
+        self.table.show_rows(person_rows(found))
         self.table.take_first()
         self.person_changed.emit()
 
