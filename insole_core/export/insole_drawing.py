@@ -38,6 +38,8 @@ _CONTOUR_STEP_MM: Final = 2.0
 _STRAIGHT_MM: Final = 0.05
 """From a height line to what is drawn of it: thinner than the line itself."""
 _ROW_MM: Final = 3.8
+_MOST_REMARKS: Final = 6
+"""Lines of them on the drawing; the job sheet has them all."""
 _BESIDE_MM: Final = 9.0
 """On the paper between two thicknesses that can be read."""
 _TITLE_MM: Final = 38.0
@@ -248,8 +250,10 @@ class ViewsPage(_Page):
         size_mm: tuple[float, float],
         title: Mapping[str, str],
         words: Mapping[str, str],
+        *,
+        remarks: str = "",
     ) -> None:
-        self._pieces = pieces
+        self._pieces, self._remarks = pieces, remarks
         self._scale = _views_scale(pieces, size_mm)
         scale = _scale_text(self._scale, words)
         super().__init__(*size_mm, {**title, "scale": scale}, words)
@@ -272,7 +276,24 @@ class ViewsPage(_Page):
             for number, piece in enumerate(self._pieces):
                 self._draw_profile(pen, piece, medial, ((number + 0.5) * half, base))
         pen.scale_bar(6, _TITLE_MM + 5, 50, self._scale)
-        self._draw_table(pen, low - 61)
+        self._draw_table(pen, self._draw_remarks(pen, low - 61))
+
+    def _draw_remarks(self, pen: _Pen, top: float) -> float:
+        """Write the remarks of the order; return where the table begins below them."""
+        lines = [
+            part
+            for line in self._remarks.splitlines()
+            for part in _wrapped(line, self._width_mm - 14)
+        ]
+        if not lines:
+            return top
+        if len(lines) > _MOST_REMARKS:
+            lines = [*lines[: _MOST_REMARKS - 1], "… " + self._word("see job sheet")]
+        pen.text(6, top, self._word("remarks"), bold=True)
+        for line in lines:
+            top -= _ROW_MM
+            pen.text(7, top, line)
+        return top - 1.5 * _ROW_MM
 
     def _draw_table(self, pen: _Pen, top: float) -> None:
         """List the elements by the numbers of the top views; what finds no room is counted."""
@@ -628,10 +649,14 @@ class _Pen:
     def fitted(self, x: float, y: float, text: str, width: float) -> None:
         """Write a text as small as its room needs, cut at the end if that is too small."""
         size = _TEXT_PT + 1
-        text = as_written(text)
-        while size > 5 and self._canvas.stringWidth(text, "DejaVuSans", size) > width * mm:
+
+        def is_wide() -> bool:
+            written = as_written(text)
+            return bool(self._canvas.stringWidth(written, "DejaVuSans", size) > width * mm)
+
+        while size > 5 and is_wide():
             size -= 0.5
-        while self._canvas.stringWidth(text, "DejaVuSans", size) > width * mm:
+        while is_wide():
             text = text[:-2] + "…"
         self.text(x, y, text, size=size)
 

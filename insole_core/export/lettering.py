@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
 from arabic_reshaper import reshape
 from bidi import get_display
 
+from insole_core.messages import Message
+
 _UNKNOWN = "?"
+_MOST_SHOWN = 20
 
 
 @cache
@@ -38,11 +42,25 @@ def with_known_letters(text: str) -> str:
 
 def missing_letters(text: str) -> str:
     """Return the characters of a text that the font lacks, each once, in order."""
+    if text.isascii():
+        return ""  # without loading the font
     letters = dict.fromkeys(unicodedata.normalize("NFC", text))
     return "".join(
         letter
         for letter in letters
         if not unicodedata.category(letter).startswith("C") and ord(letter) not in _letters()
+    )
+
+
+def letters_note(texts: Iterable[str]) -> Message | None:
+    """Say before printing which letters of texts no paper can show; None if it has them all."""
+    missing = missing_letters("".join(texts))
+    if not missing:
+        return None
+    return Message(
+        "The font of the papers has no letters {missing}, and “?” is printed for them; write the "
+        "name or the text in Latin letters too.",
+        missing=missing[:_MOST_SHOWN],
     )
 
 

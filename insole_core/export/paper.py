@@ -100,6 +100,8 @@ class JobSheet:
         The piece for the drawing; without it there is none.
     title
         Of the title block of the drawing, beside the file's hash.
+    remarks
+        Of the order, for the drawing.
     """
 
     identification: Facts
@@ -114,6 +116,7 @@ class JobSheet:
     is_nested: bool = False
     drawn: DrawnInsole | None = None
     title: Facts = field(default_factory=dict)
+    remarks: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,7 +221,12 @@ def _drawing(
     ]
     made: list[Callable[[Facts], Flowable]] = []
     if pieces:
-        made.append(lambda count: ViewsPage(pieces, _DRAWING_MM, {**titles[0], **count}, words))
+        remarks = sheets[0].remarks
+        made.append(
+            lambda count: ViewsPage(
+                pieces, _DRAWING_MM, {**titles[0], **count}, words, remarks=remarks
+            )
+        )
     for sheet, title in zip(sheets, titles, strict=True):
         if sheet.drawn is not None:
             made.append(partial(_sections_page, sheet.drawn, title, words))

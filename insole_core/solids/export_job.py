@@ -435,6 +435,7 @@ def _job_sheet(
         is_nested=job.is_nested,
         drawn=piece,
         title=_title(job, part, drawn),
+        remarks=job.terms.remarks,
     )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import doubtful_days
 from insole_core.errors import DesignError, InputError
+from insole_core.export.lettering import letters_note
 from insole_core.export.shop_order import OrderTerms, Release, serial_number
 from insole_core.files.transaction import Transaction
 from insole_core.formats.file_formats import (
@@ -29,7 +30,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import MaterialTable
-from insole_core.messages import Translate
+from insole_core.messages import Message, Translate
 from insole_core.milling.plan import MillingPlan
 from insole_core.pressure.laid_map import PressureMap
 from insole_core.progress import SILENT, Progress
@@ -507,6 +508,21 @@ def files_of(
     """
     places = _all_places(parts, choice, path, overridden)
     return tuple(file for place in places for file in vars(place).values() if file is not None)
+
+
+def letters_told(choice: OrderChoice, patient: Patient, responsible: Responsible) -> Message | None:
+    """Say which letters the papers of an order cannot show; None if they can show all.
+
+    Parameters
+    ----------
+    patient, responsible
+        For the prescription, which names them.
+    """
+    terms = choice.terms
+    texts = [choice.pseudonym, choice.material, *choice.own_materials.values()]
+    texts += [terms.colour, terms.cover, terms.remarks, terms.lot]
+    named = [patient.name, *vars(responsible).values()] if choice.prescription else []
+    return letters_note([*texts, *named])
 
 
 def programs_of(parts: Sequence[Part], choice: OrderChoice, path: Path) -> tuple[Path, ...]:

@@ -168,6 +168,7 @@ def deliver(
     beside
         Paths of the files that accompany the solid.
     """
+    from insole_core.export.lettering import letters_note
     from insole_core.export.shop_order import OrderTerms
     from insole_core.solids import export_job
     from insole_core.solids.order import checked_together
@@ -187,6 +188,9 @@ def deliver(
         parts = checked_together(*parts, block.size_mm, policy)
     for sentence in dict.fromkeys(sentence for part in parts for sentence in _doubts(part)):
         print(f"Warning: {sentence}", file=sys.stderr)
+    letters = letters_note((known, arguments.material, arguments.lot, *vars(responsible).values()))
+    if letters is not None:
+        print(f"Warning: {letters}", file=sys.stderr)
     job = export_job.ExportJob(
         parts,
         shop,

@@ -121,7 +121,8 @@ def _items(
     """Make the parts of one case after the other."""
     from insole_core.cases.case_file import read_case
     from insole_core.solids.export_rules import read_rules
-    from insole_core.workflows.make_order import make_parts
+    from insole_core.solids.prescription_paper import NOBODY
+    from insole_core.workflows.make_order import letters_told, make_parts
     from insole_core.workflows.order_package import PackedItem
 
     rules = read_rules(arguments.rules)
@@ -137,6 +138,9 @@ def _items(
             raise UsageError(f"{path} has no foot; add one in the window first.")
         choice = _choice(arguments, terms, record.patient.pseudonym)
         parts = make_parts(record, choice, rules, step)
+        letters = letters_told(choice, record.patient, NOBODY)
+        if letters is not None:
+            print(visible_line(f"Warning: {path.name}: {letters}"), file=sys.stderr)
         for sentence in dict.fromkeys(
             s
             for p in parts

@@ -21,6 +21,7 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import DesignError, InputError, NotAllowed, RecordsError, Unreachable
 from insole_core.evaluation.report_html import write_html
 from insole_core.evaluation.report_pdf import write_pdf
+from insole_core.export.lettering import letters_note
 from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import make_private_folder, replacing_folder, write_private
 from insole_core.formats.stl import write_stl
@@ -328,6 +329,9 @@ class _ExportWriter:
             self._add_json(f"fhir/DeviceRequest-{number}.json", request)
 
     def _write_summary(self) -> None:
+        letters = letters_note([self._dossier.person.name])
+        if letters is not None:
+            self.left_out.append(Message("{what}: {reason}", what="summary.pdf", reason=letters))
         files = [f"{file.path}, SHA-256 {file.sha256}" for file in self.files]
         report = person_report(self._dossier, self._pictures, files, self.left_out, self._wording)
         self._add("summary.html", lambda path: write_html(report, path))

@@ -3164,6 +3164,10 @@
             <translation>Typsnittet har inga av bokstäverna i ”{text}”; skriv märkningen med andra tecken, till exempel ett nummer.</translation>
         </message>
         <message>
+            <source>The font of the papers has no letters {missing}, and “?” is printed for them; write the name or the text in Latin letters too.</source>
+            <translation>Papperens typsnitt saknar bokstäverna {missing}, och ”?” skrivs i deras ställe; skriv namnet eller texten även med latinska bokstäver.</translation>
+        </message>
+        <message>
             <source>The foot is not level: the ball lies {higher_mm:.0f} mm higher than the heel ({angle:g}°), and the insole is as much thicker below it; turn the foot toes down by {angle:g}°, or scan it again with heel and ball on one level.</source>
             <translation>Foten ligger inte plant: trampdynan ligger {higher_mm:.0f} mm högre än hälen ({angle:g}°), och inlägget är lika mycket tjockare under den; vrid foten {angle:g}° med tårna nedåt, eller skanna den igen med häl och trampdyna i samma nivå.</translation>
         </message>
@@ -7234,6 +7238,10 @@
         <message>
             <source>see patients</source>
             <translation>se patienter</translation>
+        </message>
+        <message>
+            <source>see the job sheet</source>
+            <translation>se arbetsbladet</translation>
         </message>
         <message>
             <source>seed of the simulation</source>

@@ -15,6 +15,7 @@ import ezdxf
 import numpy as np
 import pytest
 from read_pdf import bytes_of_pdf, text_of_pdf
+from reportlab.pdfgen.canvas import Canvas
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
@@ -50,6 +51,7 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.make_order import (
     OrderChoice,
     files_of,
+    letters_told,
     make_parts,
     mark_of,
     write_order,
@@ -109,7 +111,8 @@ def test_lot_and_serial_number_stand_on_paper_and_by_choice_on_the_piece(
     release = Release("26-7KQ4M", 2)
     choice = OrderChoice(
         pseudonym="P-17", relief="engraved", numbered=True, release=release, prescription=True,
-        terms=OrderTerms(quantity=3, lot="L-42/7"), most_triangles=None,
+        terms=OrderTerms(quantity=3, lot="L-42/7", remarks="Soft under the heel"),
+        most_triangles=None,
     )  # fmt: skip
     (part,) = make_parts(record, choice, ExportRules({}, {}))
     assert part.order.mark[-2:] == ("SN 26-7KQ4M-P-17-2-L", "LOT L-42/7")
@@ -126,6 +129,44 @@ def test_lot_and_serial_number_stand_on_paper_and_by_choice_on_the_piece(
         text = text_of_pdf(tmp_path / f"o-left-{paper}.pdf")
         assert "L-42/7" in text
         assert "26-7KQ4M-P-17-2-L/1" in text
+        on_pages = {"job-sheet": 2, "prescription": 0}[paper]
+        assert text.count("Soft under the heel") == on_pages, "on the drawing and on the sheet"
+
+
+def test_a_name_from_right_to_left_is_drawn_in_its_order(
+    record: CaseRecord, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In the title block, which turned it round twice, as well as in the tables."""
+    drawn: list[str] = []
+    draw = Canvas.drawString
+
+    def note(canvas: Canvas, x: float, y: float, text: str, **how: object) -> None:
+        drawn.append(text)
+        draw(canvas, x, y, text, **how)
+
+    monkeypatch.setattr(Canvas, "drawString", note)
+    name = "שרה לוי"
+    choice = OrderChoice(pseudonym="P-17", most_triangles=None)
+    (part,) = make_parts(record, choice, ExportRules({}, {}))
+    write_order(
+        [part], choice, tmp_path / "o.stl",
+        shop=SHOP, patient=PATIENT, release=Release("26-7", by=name),
+    )  # fmt: skip
+    assert name[::-1] in drawn
+    assert name not in drawn
+
+
+@pytest.mark.parametrize(
+    ("name", "missing"),
+    [("Ottilia Bergqvist", ""), ("שרה לוי", ""), ("王小明 Wang", "王小明"), ("สมชาย", "สมชาย")],
+)
+def test_letters_that_no_paper_can_show_are_told_before_printing(name: str, missing: str) -> None:
+    choice = OrderChoice(prescription=True)
+    told = letters_told(choice, Patient(name), RESPONSIBLE)
+    assert ("" if told is None else told.values["missing"]) == missing
+    assert letters_told(replace(choice, prescription=False), Patient(name), RESPONSIBLE) is None
+    in_remarks = replace(choice, prescription=False, terms=OrderTerms(remarks="軟"))
+    assert letters_told(in_remarks, Patient(name), RESPONSIBLE) is not None
 
 
 def inside_of_a_shoe() -> Shoe:

@@ -87,6 +87,7 @@ def _add_statement_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _run_statement(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Write the statement."""
+    from insole_core.export.lettering import letters_note
     from insole_core.records.rights import Right
     from insole_core.records.statement import order_of_number, statement_of, write_statement_paper
 
@@ -98,6 +99,9 @@ def _run_statement(arguments: argparse.Namespace, _progress: Progress) -> None:
         statement = statement_of(records.context, order_id, responsible)
     if arguments.out is not None:
         translate = wording_of(arguments).translate
+        letters = letters_note([json.dumps(statement.as_json(), ensure_ascii=False)])
+        if letters is not None:
+            print(f"Warning: {letters}", file=sys.stderr)
         write_statement_paper(statement, arguments.out, date.today(), translate)
     if arguments.json:
         print(json.dumps(statement.as_json(), indent=1, ensure_ascii=False))

@@ -32,7 +32,7 @@ from insole_core.workflows.make_order import OrderChoice
 from insole_studio.features.export.machine_fields import MachineFields
 from insole_studio.features.export.rows import OrderedFoot
 from insole_studio.features.export.terms_fields import TermsFields
-from insole_studio.texts import localised, tr, translate_core_message, with_capital
+from insole_studio.texts import tr, translate_core_message, with_capital
 from insole_studio.widgets.form_parts import ComboBox, Fold, mark_labels
 from insole_studio.widgets.number_field import NumberField
 
@@ -429,8 +429,7 @@ class OrderForm(QWidget):
 
 
 def _text(block: Block) -> str:
-    name = translate_core_message(block.name)
-    return f"{name}, " + " × ".join(localised(length, "g") for length in block.size_mm)
+    return translate_core_message(block.words)
 
 
 _MATERIAL_OF = {

@@ -38,6 +38,7 @@ from insole_core.workflows.make_order import (
     both_prescribed,
     feet_of,
     files_of,
+    letters_told,
     make_parts,
     programs_of,
     word_of,
@@ -586,8 +587,15 @@ class ExportPresenter:
             self._choice = replace(self._choice, terms=taken)
             self._show_order()
 
+    def _show_notes(self) -> None:
+        """Show what is unusual about the pieces, and what their papers cannot show."""
+        letters = letters_told(self._order, self._record.patient, self._asker.responsible())
+        notes = [] if letters is None else [translate_core_message(letters)]
+        self._panel.show_notes([*notes_of(self.parts), *notes])
+
     def _show_order(self) -> None:
         self._panel.show_choice(self._choice, self._has_pair)
+        self._show_notes()
         feet = feet_of(self._record, self._choice)
         self._panel.show_feet([ordered_foot(self._choice, foot.design) for foot in feet])
         self._panel.form.machine.show_prescribed_weight(_prescribed_weight(feet))
@@ -682,7 +690,7 @@ class ExportPresenter:
             self._panel.show_error(self._misfit.sentence)
         shown = self._shown if self._shown in names else next(iter(names), "")
         self._panel.show_parts(names, shown)
-        self._panel.show_notes(notes_of(parts))
+        self._show_notes()
         self._shown = shown
         self._prepare()
 

@@ -167,6 +167,10 @@ def test_what_the_design_warns_of_is_told_before_the_export(
     stage: ExportStage, case: Case, settle: Callable[[], None]
 ) -> None:
     assert stage.view.notes.text() == ""
+    order(stage, terms=OrderTerms(remarks="軟"))
+    assert "has no letters 軟" in stage.view.notes.text(), "before it is printed"
+    order(stage, terms=OrderTerms())
+    assert stage.view.notes.text() == ""
     ahead = Pelott(centre_mm=(0.0, 185.0))
     case.apply(InsoleDesign(Side.LEFT, (ahead,), grid_mm=2.0), "Add a pelott")
     settle()
