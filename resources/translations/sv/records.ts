@@ -440,10 +440,6 @@
             <translation>Inget har ordinerats för den här patienten tidigare; en skanning börjar om från början.</translation>
         </message>
         <message>
-            <source>Number</source>
-            <translation>Nummer</translation>
-        </message>
-        <message>
             <source>One order</source>
             <translation>En beställning</translation>
         </message>

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from read_pdf import paths_of_pdf
 from simulated_device import CAMERA, DISPARITY
 
 from insole_core.calibration.boards.board import Charuco, Chequerboard
@@ -47,6 +48,19 @@ def test_the_printed_charuco_board_has_its_true_size() -> None:
     assert len(found.pixels) == 54
     spread = np.ptp(found.pixels, axis=0) / np.ptp(found.points_mm[:, :2], axis=0)
     assert np.allclose(spread, PX_PER_MM, rtol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("name", "rulers"),
+    [
+        ("targets/chequerboard-a4-25mm.pdf", 1), ("targets/chequerboard-a3-30mm.pdf", 1),
+        ("targets/charuco-a4-27mm.pdf", 1), ("reference_systems/lego-20-plan.pdf", 2),
+        ("reference_systems/lego-40-plan.pdf", 4),
+    ],
+)  # fmt: skip
+def test_the_rulers_of_what_is_shipped_are_100_mm(name: str, rulers: int) -> None:
+    sizes = [np.ptp(line, axis=0) for line in paths_of_pdf(resource_path(name))]
+    assert sum(bool(np.allclose(size, [100, 0], atol=0.03)) for size in sizes) == rulers
 
 
 def test_a_board_that_does_not_fit(tmp_path: Path) -> None:

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from read_pdf import paths_of_pdf
+from reportlab.lib.units import mm
+from reportlab.pdfgen.canvas import Canvas
 
-from insole_core.export.insole_drawing import Section
+from insole_core.export.insole_drawing import SCALES, DrawnInsole, Section, SectionsPage, ViewsPage
+from insole_core.geometry.height_map import HeightMap
+from insole_core.geometry.side import Side
 
 
 def test_a_section_tells_the_dimensions_of_its_face() -> None:
@@ -24,3 +31,44 @@ def test_a_section_of_two_faces_spans_both() -> None:
     section = Section("heel", 0.0, faces)
     assert section.ends_mm == (0, 10)
     assert section.heights_mm(8.0) == pytest.approx((5, 8))
+
+
+def drawn_box() -> DrawnInsole:
+    """A box of 73 × 140 × 11 mm."""
+    heights = HeightMap(np.full((140, 73), 11.0), np.zeros((140, 73)), (-36.0, 0.5))
+
+    def face(wide: float, tall: float) -> np.ndarray:
+        return np.array([(0, 0), (wide, 0), (wide, tall), (0, tall)]) - [wide / 2, 0]
+
+    across = {"A": Section("ball", 90.0, (face(73, 11),))}
+    return DrawnInsole(
+        Side.LEFT, np.array([(-36.5, 0, 0), (36.5, 140, 11)]), heights,
+        (face(73, 140),), (face(140, 11),), across, Section("along the axis", 0, (face(140, 11),)),
+    )  # fmt: skip
+
+
+def test_what_is_drawn_at_one_to_one_has_its_true_size(tmp_path: Path) -> None:
+    """The bar and every face; on the paper of A4, which no printer has to scale."""
+    from insole_core.export.paper import paragraph
+
+    paragraph("")  # the fonts
+    sizes: dict[str, list[np.ndarray]] = {}
+    for page in (
+        SectionsPage(drawn_box(), (173, 259), {}, {}),
+        ViewsPage([drawn_box()], (173, 259), {}, {}),
+    ):
+        path = tmp_path / f"{type(page).__name__}.pdf"
+        canvas = Canvas(str(path))
+        page.drawOn(canvas, 16 * mm, 16 * mm)
+        canvas.save()
+        sizes[type(page).__name__] = [np.ptp(line, axis=0) for line in paths_of_pdf(path)]
+        assert b"/MediaBox [ 0 0 595.2756 841.8898 ]" in path.read_bytes()
+
+    def count(page: str, *size_mm: float) -> int:
+        exact = 3e-4 * np.array(size_mm)
+        return sum(bool((np.abs(size - size_mm) <= exact + 1e-6).all()) for size in sizes[page])
+
+    assert count("SectionsPage", 73, 11) == 1
+    assert count("SectionsPage", 140, 11) == 1
+    assert count("SectionsPage", 10, 1.4) == 5, "the fields of the bar of 50 mm"
+    assert max(count("ViewsPage", 10 / scale, 1.4) for scale in SCALES) == 5

@@ -14,6 +14,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QScroller, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
+from read_pdf import paths_of_pdf
 from round_foot import round_foot
 from x_pointer import drag_at_once
 
@@ -476,8 +477,11 @@ def test_the_outline_is_printed_in_true_size(
     settle()
     content = (tmp_path / "outline.pdf").read_bytes()
     assert content.startswith(b"%PDF")
-    # 80 × 250 mm and its margin fit on A4: 595 × 842 points.
-    assert b"/MediaBox [0 0 595" in content
+    # 80 × 250 mm and its margin fit on A4: exactly, or a printer that fits the page scales it.
+    assert b"/MediaBox [0 0 595.275591 841.889764]" in content
+    lines = [np.ptp(line, axis=0) for line in paths_of_pdf(tmp_path / "outline.pdf")]
+    within_mm = 0.03  # of 100
+    assert sum(bool(np.allclose(size, [100, 0], atol=within_mm)) for size in lines) == 1
 
 
 def test_touch_mode_widens_what_can_be_grabbed(opened: Application, foot: SceneView) -> None:

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import QWidget
 
 from insole_core.calibration.boards.printed_page import RULER_MM, PrintedPage
 from insole_core.files.atomic import replacing_file
+from insole_studio.services.true_size import exact_pages, memory
 from insole_studio.texts import tr, translate_core_message
 
 _DPI = 1200
@@ -39,23 +40,26 @@ def write_pdf(pages: Sequence[PrintedPage], path: Path) -> None:
     OutputError
         If the file cannot be written.
     """
+    content = memory()
+    writer = QPdfWriter(content)
+    writer.setResolution(_DPI)
+    paint_pages(writer, pages)
     with replacing_file(path) as beside:
-        writer = QPdfWriter(str(beside))
-        writer.setResolution(_DPI)
-        paint_pages(writer, pages)
+        beside.write_bytes(exact_pages(content, [page.size_mm for page in pages]))
 
 
 def paint_pages(device: QPagedPaintDevice, pages: Sequence[PrintedPage]) -> None:
     """Paint each page on a sheet of its size, from edge to edge."""
     device.setPageLayout(layout_of(pages[0]))
     painter = QPainter(device)
-    scale = device.logicalDpiX() / _INCH_MM
+    # Printers may have other dots across than along.
+    across, along = device.logicalDpiX() / _INCH_MM, device.logicalDpiY() / _INCH_MM
     for number, page in enumerate(pages):
         if number:
             device.setPageLayout(layout_of(page))
             device.newPage()
         painter.save()
-        painter.scale(scale, scale)
+        painter.scale(across, along)
         paint_page(painter, page)
         painter.restore()
     painter.end()
@@ -75,7 +79,9 @@ def paint_page(painter: QPainter, page: PrintedPage) -> None:
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QBrush(QColor(page.color)))
     painter.drawRects([QRectF(*box) for box in page.boxes_mm.tolist()])
-    painter.setPen(QPen(Qt.GlobalColor.black, 0.2))
+    # Without caps, which would make the ruler longer by its width.
+    flat = Qt.PenCapStyle.FlatCap
+    painter.setPen(QPen(Qt.GlobalColor.black, 0.2, Qt.PenStyle.SolidLine, flat))
     for text, x, y in page.labels:
         _write(painter, text, x, y, _LABEL_MM)
     base = page.size_mm[1] - _BASE_MM

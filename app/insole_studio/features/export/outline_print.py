@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtCore import QMarginsF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFont, QPageLayout, QPageSize, QPainter, QPdfWriter, QPen, QPolygonF
 
 from insole_core.files.atomic import replacing_file
@@ -14,6 +14,7 @@ from insole_core.insole.build import Insole
 from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.solids.solid_outline import outline_of
+from insole_studio.services.true_size import exact_pages, memory
 from insole_studio.texts import tr
 
 DPI = 600
@@ -42,9 +43,7 @@ def print_outline(insole: Insole, whose: str, path: Path) -> None:
     """
     outline = outline_of(insole)
     page_mm = _page_for(outline)
-    # In memory, since Qt does not tell whether a file could be written.
-    content = QBuffer()
-    content.open(QIODevice.OpenModeFlag.WriteOnly)
+    content = memory()
     writer = QPdfWriter(content)
     writer.setResolution(DPI)
     writer.setTitle(whose)
@@ -56,7 +55,7 @@ def print_outline(insole: Insole, whose: str, path: Path) -> None:
     _draw(painter, insole, outline, page_mm, whose)
     painter.end()
     with replacing_file(path) as beside:
-        beside.write_bytes(content.data().data())
+        beside.write_bytes(exact_pages(content, [page_mm]))
 
 
 def _page_for(outline: FloatArray) -> tuple[float, float]:
@@ -84,7 +83,9 @@ def _draw(
     painter.setPen(QPen(Qt.GlobalColor.darkGray, 0.25))
     for pad in insole.design.of(Pelott):
         painter.drawPolygon(on_page(pad_outline(pad, 180)))
-    painter.setPen(QPen(Qt.GlobalColor.black, 0.2))
+    # Without caps, which would make the ruler longer by its width.
+    flat = Qt.PenCapStyle.FlatCap
+    painter.setPen(QPen(Qt.GlobalColor.black, 0.2, Qt.PenStyle.SolidLine, flat))
     font = QFont(painter.font())
     font.setPixelSize(4)
     painter.setFont(font)

@@ -78,7 +78,7 @@ def test_a_board_is_saved_at_true_size(
     choose(qtbot, dialog, "chequerboard", paper)
     qtbot.mouseClick(dialog.save, Qt.MouseButton.LeftButton)
     pdf = (tmp_path / f"chequerboard-{paper.lower()}.pdf").read_bytes()
-    assert papers_mm(pdf) == [pytest.approx(PAPERS_MM[paper], abs=0.4)]
+    assert papers_mm(pdf) == [pytest.approx(PAPERS_MM[paper], abs=1e-4)]
     sizes = drawn_boxes_mm(pdf)
     assert len(sizes) == 44
     assert np.allclose(sizes, 25, atol=0.01)

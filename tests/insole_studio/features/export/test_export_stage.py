@@ -558,7 +558,7 @@ def test_the_order_names_a_material_as_the_shop_does_in_every_language(
         form = OrderForm(Stock(SHOP.blocks, SHOP.materials))
         qtbot.addWidget(form)
         blocks = [form.block.itemText(index) for index in range(form.block.count())]
-        assert "EVA par, 340 × 260 × 40" in blocks
+        assert "EVA par, 340 × 260 × 40 mm" in blocks
         for typed, ordered in (("Kork och EVA", "Cork and EVA"), ("Filt", "Filt"), ("", "")):
             form.materials[Side.LEFT].setEditText(typed)
             assert form.materials[Side.LEFT].material() == ordered
