@@ -7,6 +7,7 @@ from dataclasses import replace
 import manifold3d
 import numpy as np
 import pytest
+from scipy.spatial import KDTree
 
 from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
@@ -125,7 +126,7 @@ def test_following_bottom_keeps_the_thickness_everywhere(insole):
     top = shell.contact.nodes
     below = mesh.vertices[len(mesh.vertices) // 2 :]
     some = below[:: len(below) // 200]
-    gaps = np.linalg.norm(top[None] - some[:, None], axis=2).min(axis=1)
+    gaps, _ = KDTree(top).query(some)
     assert gaps.min() >= 4.0 - 0.1  # on a grid of 1 mm
     assert np.median(gaps) < 4.3
 
