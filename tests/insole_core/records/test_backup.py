@@ -6,6 +6,7 @@ import base64
 import errno
 import json
 import os
+import shutil
 import sqlite3
 import stat
 from collections.abc import Iterator
@@ -61,10 +62,20 @@ NOT_COMPARED = {"audit", "audit_head", "clinic"}
 """Restoring writes a line about it, and the name of the store."""
 
 
-@pytest.fixture
-def context(migrated_file: Path, tmp_path: Path) -> Iterator[RecordsContext]:
-    context = make_record(migrated_file, tmp_path / "record")
+@pytest.fixture(scope="module")
+def filled(migrated_file: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a record that nobody has open."""
+    folder = tmp_path_factory.mktemp("filled") / "record"
+    context = make_record(migrated_file, folder)
     set_up_backups(context, BackupKey.for_recipients([RECIPIENT]))
+    context.database.close()
+    return folder
+
+
+@pytest.fixture
+def context(filled: Path, tmp_path: Path) -> Iterator[RecordsContext]:
+    shutil.copytree(filled, tmp_path / "record")
+    context = context_of(RecordsPlace.local(tmp_path / "record"))
     yield context
     context.database.close()
 

@@ -251,7 +251,7 @@ def test_what_is_printed_is_what_was_compared(name, off):
     def top(x, _y):
         return np.where(x < 5, 2.0, 2.0 + 4.0 + off) if name == "step" else height_mm
 
-    finding = finding_of(name, plate(top, step=1.0))
+    finding = finding_of(name, plate(top, step=0.5 if name == "step" else 1.0))
     assert finding.passed is (off > -0.1 if name == "thickness" else off < 0.1)
     number = re.search(r"[0-9.]+(?= mm,)" if name == "block" else r"[0-9.]+", finding.sentence)
     assert number is not None

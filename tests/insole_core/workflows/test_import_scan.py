@@ -12,7 +12,7 @@ from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
-from insole_core.workflows.import_scan import examine_scan, take_foot
+from insole_core.workflows.import_scan import ScanExamination, examine_scan, take_foot
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_feet import mesh_source
 
@@ -24,8 +24,12 @@ def scan(left_mesh: TriangleMesh, tmp_path_factory: pytest.TempPathFactory) -> P
     return path
 
 
-def test_a_foot_has_a_candidate_of_either_side(scan: Path) -> None:
-    examination = examine_scan(scan)
+@pytest.fixture(scope="module")
+def examination(scan: Path) -> ScanExamination:
+    return examine_scan(scan)
+
+
+def test_a_foot_has_a_candidate_of_either_side(examination: ScanExamination) -> None:
     (found,) = examination.feet
     assert (examination.read.unit, examination.form) == ("mm", Form.FOOT)
     assert [one.side for one in found.candidates] == [Side.LEFT, Side.RIGHT]
@@ -44,8 +48,7 @@ def test_a_size_of_feet_in_two_units_is_asked(left_mesh: TriangleMesh, tmp_path:
     assert told.doubts == ()
 
 
-def test_the_other_side_is_taken_by_force_only(scan: Path) -> None:
-    examination = examine_scan(scan)
+def test_the_other_side_is_taken_by_force_only(examination: ScanExamination) -> None:
     (found,) = examination.feet
     left, right = found.candidates
     assert take_foot(examination, found, left).foot.side is Side.LEFT

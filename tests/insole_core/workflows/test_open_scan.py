@@ -14,7 +14,7 @@ from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.workflows.open_scan import open_scan
-from insole_core.workflows.scanned_feet import change_of_source
+from insole_core.workflows.scanned_feet import ScannedFoot, change_of_source
 
 
 @pytest.fixture(scope="module")
@@ -24,8 +24,12 @@ def scan(left_mesh: TriangleMesh, tmp_path_factory: pytest.TempPathFactory) -> P
     return path
 
 
-def test_a_mesh_becomes_a_foot_with_its_source(scan: Path) -> None:
-    scanned = open_scan(scan, Side.LEFT)
+@pytest.fixture(scope="module")
+def scanned(scan: Path) -> ScannedFoot:
+    return open_scan(scan, Side.LEFT)
+
+
+def test_a_mesh_becomes_a_foot_with_its_source(scan: Path, scanned: ScannedFoot) -> None:
     assert scanned.foot.side is Side.LEFT
     assert scanned.foot.notes
     assert (scanned.source.kind, scanned.source.path) == ("mesh", str(scan.resolve()))
@@ -37,8 +41,8 @@ def test_a_mesh_without_a_side_is_a_wrong_call(scan: Path) -> None:
         open_scan(scan)
 
 
-def test_a_scan_that_changed_or_went_is_said(scan: Path, tmp_path: Path) -> None:
-    source = open_scan(scan, Side.LEFT).source
+def test_a_scan_that_changed_or_went_is_said(scanned: ScannedFoot, tmp_path: Path) -> None:
+    source = scanned.source
     assert "has changed" in change_of_source(replace(source, sha256="0" * 64))
     gone = replace(source, path=str(tmp_path / "gone.ply"))
     assert "not there any more" in change_of_source(gone)
