@@ -271,7 +271,7 @@ def test_a_sole_view_swapped_with_the_achilles_view(session: Session) -> None:
 
 def test_a_side_that_no_view_shows_is_named(session: Session) -> None:
     soles = tuple(view_of(session, name) for name in ("left", "right"))
-    (warning,) = reconstruct(replace(session, views=soles), "thesis").warnings
+    (warning,) = reconstruct(replace(session, views=soles)).warnings
     assert 'side of the markers "achilles"' in warning
 
 
@@ -280,7 +280,7 @@ def test_one_view_recorded_under_two_names(session: Session) -> None:
     left, right = view_of(session, "left"), view_of(session, "right")
     other = replace(left, name="right", sensor=replace(left.sensor, serial="other"))
     twice = replace(session, views=(left, other, view_of(session, "top")))
-    (warning,) = reconstruct(twice, "thesis").warnings
+    (warning,) = reconstruct(twice).warnings
     assert "left and right stood in the same place (0 mm apart)" in warning
     assert right.sensor.serial != left.sensor.serial
 
@@ -317,9 +317,9 @@ def test_every_vertex_has_a_standard_deviation(fused: Reconstruction) -> None:
 
 @pytest.mark.slow
 def test_markers_are_recognised_by_colour_where_depth_fails_on_them(
-    session: Session, thesis: Reconstruction
+    session: Session, fused: Reconstruction
 ) -> None:
-    usual = thesis
+    usual = fused
     view = view_of(session, "left")
     pixels = np.array([fix.pixel for fix in usual.views[0].fixes])
 
@@ -330,7 +330,7 @@ def test_markers_are_recognised_by_colour_where_depth_fails_on_them(
             depth[max(int(v) - 40, 0) : int(v) + 40, max(int(u) - 22, 0) : int(u) + 45] = 2047
         return depth
 
-    found = reconstruct(altered(session, "left", read_depth=without_markers), "thesis").views[0]
+    found = reconstruct(altered(session, "left", read_depth=without_markers)).views[0]
     assert found.used
     pose, was = found.sensor2reference, usual.views[0].sensor2reference
     assert pose is not None
