@@ -1,12 +1,13 @@
 """How far a foot reaches in a direction, strip by strip across it, with its uncertainty.
 
 The border of a foot is round in a section. Described by its support function, the distance H of the
-tangent whose slope against the vertical is b, it has three parameters near the outermost point:
+tangent whose slope against the vertical is b, it has four parameters near the outermost point:
 
     H(b) = reach + height b + radius b² / 2      and the tangent touches at   height + radius b
 
-(the derivative of the support function). So contours in images, of which only the tangents are
-known, the measured surface, and the usual radius and height form one linear least-squares problem,
+(the derivative of the support function), with one radius below that point and another one above it,
+where the leg or the back of the foot goes on. So contours in images, of which only the tangents are
+known, the measured surface, and the usual radii and height form one linear least-squares problem,
 whose covariance gives the uncertainty of the reach.
 """
 
@@ -15,22 +16,31 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import ContourConstraints
+from insole_core.geometry.weighted import outermost_mean
 
 _LEAST_TOWARDS = 0.75  # cosine against the direction: beyond, three parameters do not suffice
 _STRIP_MM, _SPREAD_MM = 2.0, 2.5
 _TOUCH_MM, _TOUCHES_SHARED = 0.35, 2.0  # noise of a contour, and how many points share it
-_SURFACE_MM, _PLACE_MM, _SURFACE_WORTH = 0.8, 2.0, 2.0
-"""Noise of the measured surface near its rim, of the height there, and the number of independent
-points to which a strip of it is equivalent."""
-_OUTLYING_TOUCH_MM, _OUTLYING = 1.0, 2.0
+_SURFACE_MM, _SLOPE, _SURFACE_WORTH = 0.8, 0.1, 1.0
+"""Noise of the measured surface near its rim, of its slope there, and the number of independent
+points to which a millimetre of it is equivalent."""
+_WIDE_MM, _OUTERMOST_MM2 = 3.0, 6.0
+"""Half of the width of a strip of a measured surface, and the part whose mean is its reach."""
+_OUTLYING_TOUCH_MM, _OUTLYING = 0.5, 1.0
 _ROUNDS = 4
+_MORE = 3  # strips beyond each end of the border that take part
+_BENDS = 3.0
+"""How much the bend of a border varies, in shares of it."""
+_SHAPE = 9  # parameters of its section: height and two radii, at three places each
 _LEAST_WEIGHT = 0.05
 _NOTHING_MM = 1e4
 _SUMMIT_MM = 1.0  # depth of the strips about whose middle an arc is fitted
-_ARC = 0.3
+_TOP_MM = 5.0  # to either side of the summit, whose strips tell how far it reaches
+_ARC = 0.45
 """Share of its radius, to either side of its outermost point, in which a border is like an arc."""
 USUAL_MM = 12.0
 """Distance from its usual position at which an end must lie one millimetre farther out."""
@@ -42,22 +52,25 @@ class UsualBorder:
 
     Parameters
     ----------
-    height_mm, radius_mm
-        Height of that point and radius of the section there, each with its standard deviation.
+    height_mm, below_mm, above_mm
+        Height of that point, and radius of the section below and above it: where the border
+        begins, in its middle, where it ends, and the standard deviation of each.
     bend_mm
-        Radius of the border as seen from below; None where it is too small to be used.
+        Radius of the border as seen from below.
     """
 
-    height_mm: tuple[float, float]
-    radius_mm: tuple[float, float]
-    bend_mm: float | None = None
+    height_mm: tuple[float, float, float, float]
+    below_mm: tuple[float, float, float, float]
+    above_mm: tuple[float, float, float, float]
+    bend_mm: float
 
     def scaled(self, factor: float) -> UsualBorder:
         """Scale all lengths, for a foot of another size."""
-        height, radius = (
-            (factor * value, factor * spread) for value, spread in (self.height_mm, self.radius_mm)
+        height, below, above = (
+            (factor * rear, factor * middle, factor * front, factor * spread)
+            for rear, middle, front, spread in (self.height_mm, self.below_mm, self.above_mm)
         )
-        return UsualBorder(height, radius, None if self.bend_mm is None else factor * self.bend_mm)
+        return UsualBorder(height, below, above, factor * self.bend_mm)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,11 +92,11 @@ class BorderFit:
     deviation_mm: FloatArray
     touched: FloatArray
 
-    def summit(self, counts: BoolArray, bend_mm: float | None, usual_mm: float | None) -> Extremum:
+    def summit(self, counts: BoolArray, bend_mm: float, usual_mm: float | None) -> Extremum:
         """Find where the border reaches farthest.
 
-        Where its bend is known, it is fitted to all strips near the farthest one: often a single
-        strip is the farthest only by its noise.
+        Its usual bend is fitted to all strips near the farthest one: often a single strip is the
+        farthest only by its noise.
 
         Parameters
         ----------
@@ -102,9 +115,6 @@ class BorderFit:
         pull = 0.0 if usual_mm is None else USUAL_MM**-2
         aside = self.across_mm - (usual_mm or 0.0)
         rated = np.where(counts, self.reach_mm - pull * aside**2, -np.inf)
-        if bend_mm is None:
-            best = int(rated.argmax())
-            return Extremum(float(self.across_mm[best]), float(self.reach_mm[best]), best)
         highest = np.maximum(rated - rated[counts].max() + _SUMMIT_MM, 0.0)
         middle = float(highest @ self.across_mm / highest.sum())
         away = self.across_mm - middle
@@ -115,11 +125,14 @@ class BorderFit:
         bend, way = 0.5 / bend_mm + pull, away[near]
         weights = np.maximum(window[near], _LEAST_WEIGHT) / self.deviation_mm[near]
         rows = np.column_stack([weights, weights * way])
-        height, slope = np.linalg.lstsq(rows, weights * (rated[near] + bend * way**2))[0]
+        slope = np.linalg.lstsq(rows, weights * (rated[near] + bend * way**2))[0][1]
         ahead = float(np.clip(slope / (2 * bend), way.min(), way.max()))
         across = middle + ahead
-        reach = height + slope * ahead - bend * ahead**2 + pull * (across - (usual_mm or 0.0)) ** 2
-        strip = int(np.where(counts, np.abs(away - ahead), np.inf).argmin())
+        beside = np.where(counts, np.abs(away - ahead), np.inf)
+        strip = int(beside.argmin())
+        top = beside <= max(_TOP_MM, beside[strip])
+        arc = self.reach_mm[top] + (bend - pull) * beside[top] ** 2
+        reach = np.average(arc, weights=self.deviation_mm[top] ** -2.0)
         return Extremum(across, float(reach), strip)
 
 
@@ -159,10 +172,43 @@ def fit_border(
     BorderFit
     """
     outlines, measured = (_Rows.of(seen, direction, between_mm) for seen in (touches, surface))
+    middles = _middles(between_mm)
+    step = np.ptp(between_mm) / len(middles)
+    nodes = middles[0] + step * np.arange(-_MORE, len(middles) + _MORE)
+    reach, height, deviation = _fit(outlines, measured, nodes, usual)
+    inner = slice(_MORE, _MORE + len(middles))
+    touched = outlines.weights(middles).sum(axis=1)
+    return BorderFit(middles, reach[inner], height[inner], deviation[inner], touched)
+
+
+def measured_border(
+    points: FloatArray, area_mm2: FloatArray, direction: FloatArray, between_mm: tuple[float, float]
+) -> BorderFit:
+    """Return how far a surface that was measured up to its border reaches, strip by strip.
+
+    Parameters
+    ----------
+    points : (n, 3) float64, mm
+    area_mm2 : (n,) float64
+        That each point represents.
+    direction, between_mm
+        As of `fit_border`.
+    """
+    middles = _middles(between_mm)
+    across, along = points @ np.abs(direction[[1, 0, 2]]), points @ direction
+    reaches, heights = np.full((2, len(middles)), np.nan)
+    for number, middle in enumerate(middles):
+        near = np.abs(across - middle) < _WIDE_MM
+        if near.any():
+            reaches[number] = outermost_mean(along[near], area_mm2[near], _OUTERMOST_MM2)
+            heights[number] = points[near][along[near].argmax(), 2]
+    ones = np.ones(len(middles))
+    return BorderFit(middles, reaches, heights, ones, np.where(np.isfinite(reaches), ones, 0.0))
+
+
+def _middles(between_mm: tuple[float, float]) -> FloatArray:
     count = max(int(np.ptp(between_mm) / _STRIP_MM), 1)
-    middles = between_mm[0] + (np.arange(count) + 0.5) * np.ptp(between_mm) / count
-    fits = np.array([_fit(outlines, measured, middle, usual) for middle in middles])
-    return BorderFit(middles, *fits.T)
+    return np.asarray(between_mm[0] + (np.arange(count) + 0.5) * np.ptp(between_mm) / count)
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,7 +227,7 @@ class _Rows:
         aside = np.abs(direction[[1, 0, 2]])
         towards, across = seen.normals @ direction, seen.points @ aside
         low, high = between_mm
-        margin = 3 * _SPREAD_MM
+        margin = _MORE * _STRIP_MM
         near = towards > _LEAST_TOWARDS
         near &= (across > low - margin) & (across < high + margin)
         points, normals = seen.points[near], seen.normals[near]
@@ -189,50 +235,86 @@ class _Rows:
         distance = np.einsum("kc,kc->k", points, normals) - normals @ aside * across
         return _Rows(across, distance / towards, normals[:, 2] / towards, points[:, 2])
 
-    def weights(self, middle: float) -> FloatArray:
-        return np.asarray(np.exp(-0.5 * ((self.across - middle) / _SPREAD_MM) ** 2))
+    def columns(self, nodes: FloatArray, parts: FloatArray) -> FloatArray:
+        """Return equations (k, nodes + 9) for parts (k, 4) of reach, height and both radii."""
+        place = (self.across - nodes[0]) / (nodes[1] - nodes[0])
+        place = np.clip(place, 0.0, len(nodes) - 1.0)
+        hats = np.maximum(1 - np.abs(place[:, None] - np.arange(len(nodes))), 0.0)
+        shape = parts[:, 1:, None] * _between(self.across, nodes)[:, None]
+        flat = shape.reshape(len(parts), _SHAPE)
+        return np.concatenate([parts[:, :1] * hats, flat], axis=1)
+
+    def weights(self, middles: FloatArray) -> FloatArray:
+        """Return how near (s, k) each tangent is to some strips."""
+        return np.asarray(np.exp(-0.5 * ((self.across - middles[:, None]) / _SPREAD_MM) ** 2))
 
 
 def _fit(
-    outlines: _Rows, measured: _Rows, middle: float, usual: UsualBorder
-) -> tuple[float, float, float, float]:
-    """Compute reach, height, standard deviation of the reach, and contour weight of one strip."""
-    touched, near = outlines.weights(middle), measured.weights(middle)
-    worth = _SURFACE_WORTH * near / max(near.sum(), _SURFACE_WORTH)
+    outlines: _Rows, measured: _Rows, nodes: FloatArray, usual: UsualBorder
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Compute reach, height and standard deviation of the reach at some places along a border.
+
+    The reach bends as usual from each place to the next, and height and radii of the section
+    change smoothly: where outlines show only one side of it, those beside tell how round it is.
+    """
+    share = min(1.0, _SURFACE_WORTH * float(np.ptp(nodes)) / max(len(measured.slope), 1))
+    worth = np.full(len(measured.slope), share)
+    radius = np.where(measured.slope < 0, usual.below_mm[1], usual.above_mm[1])
+    place_mm = _SLOPE * radius
     rows = np.concatenate(
-        [_tangents(outlines.slope), _tangents(measured.slope), _places(measured.slope)]
+        [
+            outlines.columns(nodes, _tangents(outlines.slope)),
+            measured.columns(nodes, _tangents(measured.slope)),
+            measured.columns(nodes, _places(measured.slope)),
+        ]
     )
     values = np.concatenate([outlines.distance, measured.distance, measured.height])
     information = np.concatenate(
         [
-            touched / (_TOUCHES_SHARED * _TOUCH_MM**2),
+            np.full(len(outlines.slope), 1 / (_TOUCHES_SHARED * _TOUCH_MM**2)),
             worth / _SURFACE_MM**2,
-            worth / _PLACE_MM**2,
+            worth / place_mm**2,
         ]
     )
     outlying = np.repeat(
-        [_OUTLYING_TOUCH_MM, _OUTLYING * _SURFACE_MM, _OUTLYING * _PLACE_MM],
-        [len(touched), len(near), len(near)],
+        [_OUTLYING_TOUCH_MM, _OUTLYING * _SURFACE_MM], [len(outlines.slope), len(worth)]
     )
-    counts = np.concatenate([touched, near, near]) > _LEAST_WEIGHT
-    rows, values, information = rows[counts], values[counts], information[counts]
-    outlying = outlying[counts]
-    (height, height_spread), (radius, radius_spread) = usual.height_mm, usual.radius_mm
-    prior = np.diag([_NOTHING_MM**-2, height_spread**-2, radius_spread**-2])
-    known = np.array([0.0, height, radius])
+    outlying = np.concatenate([outlying, _OUTLYING * place_mm])
+    prior, known = _prior(nodes, usual)
     weights = information
     for _ in range(_ROUNDS):
         normal = rows.T @ (weights[:, None] * rows) + prior
-        solution = np.linalg.solve(normal, rows.T @ (weights * values) + prior @ known)
+        solution = np.linalg.solve(normal, rows.T @ (weights * values) + known)
         off = (values - rows @ solution) / outlying
         weights = information / (1 + off**2) ** 2
-    std = float(np.sqrt(np.linalg.inv(normal)[0, 0]))
-    return float(solution[0]), float(solution[1]), std, float(touched.sum())
+    count = len(nodes)
+    deviation = np.sqrt(np.diag(np.linalg.inv(normal))[:count])
+    return solution[:count], _between(nodes, nodes) @ solution[count : count + 3], deviation
+
+
+def _prior(nodes: FloatArray, usual: UsualBorder) -> tuple[FloatArray, FloatArray]:
+    """Return the usual shape as normal equations: of the reaches, the height and the radii."""
+    count, bend = len(nodes), float(np.ptp(nodes[:2])) ** 2 / usual.bend_mm
+    means = np.array([usual.height_mm, usual.below_mm, usual.above_mm])
+    spreads = np.repeat(means[:, 3], 3)
+    bends = np.diff(np.eye(count), 2, axis=0) / (_BENDS * bend)
+    rows = scipy.linalg.block_diag(bends, np.diag(1 / spreads))
+    values = np.concatenate([np.full(count - 2, -1 / _BENDS), means[:, :3].ravel() / spreads])
+    nearly_free = np.eye(rows.shape[1]) * _NOTHING_MM**-2
+    return rows.T @ rows + nearly_free, rows.T @ values
+
+
+def _between(across: FloatArray, nodes: FloatArray) -> FloatArray:
+    """Return the shares (k, 3) of begin, middle and end of a border at some places."""
+    way = np.clip(2 * (across - nodes.mean()) / np.ptp(nodes), -1.0, 1.0)
+    return np.column_stack([way * (way - 1) / 2, 1 - way**2, way * (way + 1) / 2])
 
 
 def _tangents(slope: FloatArray) -> FloatArray:
-    return np.column_stack([np.ones_like(slope), slope, slope**2 / 2])
+    below, above = np.minimum(slope, 0.0), np.maximum(slope, 0.0)
+    return np.column_stack([np.ones_like(slope), slope, below**2 / 2, above**2 / 2])
 
 
 def _places(slope: FloatArray) -> FloatArray:
-    return np.column_stack([np.zeros_like(slope), np.ones_like(slope), slope])
+    below, above = np.minimum(slope, 0.0), np.maximum(slope, 0.0)
+    return np.column_stack([np.zeros_like(slope), np.ones_like(slope), below, above])

@@ -19,6 +19,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import is_cut_behind
 from insole_core.foot.outermost import ramp
 from insole_core.foot.rear_axes import Axis, achilles_axis, calcaneus_axis
+from insole_core.foot.round_end import UsualEnd
 from insole_core.foot.sole_surface import LowFoot, SoleSurface
 from insole_core.foot.toe_end import GUESS, SURE, End
 from insole_core.geometry.arrays import FloatArray
@@ -42,10 +43,10 @@ _HEADS = np.array(
 )  # fmt: skip
 _FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
 """From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
-_BEHIND_BORDER = UsualBorder((22.0, 8.0), (25.0, 10.0), 34.0)
-_HEEL_BORDER = UsualBorder((22.0, 8.0), (25.0, 10.0), 50.0)
-_MEDIAL_BORDER = UsualBorder((20.0, 6.0), (21.0, 5.0), 50.0)
-_LATERAL_BORDER = UsualBorder((13.0, 5.0), (10.0, 4.0), 50.0)
+_BEHIND = UsualEnd((22.0, 8.0), (32.0, 6.0), (25.0, 10.0))
+_HEEL_BORDER = UsualBorder((23, 23, 25, 4), (22, 23, 25, 5), (60, 60, 60, 40), 80)
+_MEDIAL_BORDER = UsualBorder((22, 18, 18, 6), (22, 20, 20, 9), (26, 24, 20, 10), 50)
+_LATERAL_BORDER = UsualBorder((13, 12.5, 12, 4), (10, 10, 10, 5), (14, 13, 12, 8), 50)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
 _ARCH_RISE_MM = 3.0  # least height of a clear arch
 _OF_HEEL = ("pternion", "heel_medial", "heel_lateral")
@@ -159,7 +160,7 @@ def _along_foot_axis(foot: Foot) -> SoleSurface:
 
 
 def _pternion(sole: SoleSurface) -> End:
-    return sole.support(np.array([0.0, -1.0]), _REAR, border=_BEHIND_BORDER)
+    return sole.rear(_REAR, _BEHIND)
 
 
 def _ball(sole: SoleSurface, pternion: End) -> dict[str, End]:

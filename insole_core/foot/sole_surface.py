@@ -8,11 +8,29 @@ from functools import cached_property
 import numpy as np
 import scipy
 
-from insole_core.foot.border_fit import USUAL_MM, UsualBorder, fit_border
+from insole_core.foot.border_fit import (
+    USUAL_MM,
+    BorderFit,
+    Extremum,
+    UsualBorder,
+    fit_border,
+    measured_border,
+)
 from insole_core.foot.foot import Foot
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.outermost import Border, cap, ramp, reach
-from insole_core.foot.toe_end import GUESS, SURE, End, find_toe_end
+from insole_core.foot.round_end import Evidence, UsualEnd, fit_round_end
+from insole_core.foot.toe_end import (
+    CERTAIN_MM,
+    GUESS,
+    LEAST_TOUCHED,
+    SURE,
+    TRUSTED_MM,
+    End,
+    find_merged_end,
+    find_toe_end,
+    is_outlined,
+)
 from insole_core.foot.toes import pulp_line
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import ContourConstraints
@@ -37,20 +55,18 @@ _TOE_ACROSS = (0.23, 0.44, 0.165, 0.145, 0.145)
 """In ball widths: of the 1st and 2nd toe from the medial border, of the others from the last."""
 _TOE_REACH = (1.0, 0.99, 0.955, 0.905, 0.85)  # of the length
 _TOE_SEARCH = (0.12, 0.12, 0.075, 0.075, 0.075)
+_AHEAD = np.array([0.0, 1.0, 0.0])
+_PULP = 0.05  # share of a toe that lies lower than its pulp
 _TOE_HALF_MM, _TIP_HEIGHT_MM = 4.0, 12.0
 _BAND = 0.1
 _TO_TOES = 0.95  # share of the length that a scan with toes covers
-_MERGED = 0.45  # greatest confidence of a toe that does not stand out from the others
 
 _USUAL_LENGTH_MM = 240.0
 _REAR_MM = 14.0
-_TIP_HALF_MM = 5.0
-_TRUSTED_MM, _LEAST_TOUCHED = 1.2, 0.5
-_CERTAIN_MM, _DOUBT = 0.5, 0.4
+_DOUBT = 0.4  # loss of confidence per mm of standard deviation
 _UNSEEN, _UNSEEN_MM = 0.45, 2.0
 """Confidence and standard deviation of an end without a contour, on a foot that has contours: its
 measured surface may lie that far outside of the foot."""
-TOE_BORDER = UsualBorder((13.0, 4.0), (10.0, 3.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,16 +189,22 @@ class SoleSurface:
         if usual_share is not None:
             usual = float(direction[0]) * (self.back_mm + usual_share * self.length_mm)
         towards = np.array([*direction, 0.0])
-        end = _end(region, towards, _BORDER_RADIUS_MM, usual)
-        if usual_share is not None and self._front_mm - end.point[1] < _FRONT_MM:
-            return replace(end, confidence=GUESS)  # the scan ends before the border turns back
-        if border is None:
+        end, whole = _end(region, towards, _BORDER_RADIUS_MM, usual)
+        if usual_share is None or border is None:
             return end
-        if usual_share is None:
-            x = float(end.point[0])
-            return self._touched(end, towards, (x - _REAR_MM, x + _REAR_MM), border)
+        if self._front_mm - end.point[1] < _FRONT_MM:
+            return replace(end, confidence=GUESS)  # the scan ends before the border turns back
         low, high, middle = (self.back_mm + s * self.length_mm for s in (*shares, usual_share))
-        return self._touched(end, towards, (low, high), border, middle)
+        scaled = border.scaled(self._scale)
+        if self._touches is not None:
+            return self._touched(end, towards, (low, high), scaled, middle)
+        if whole == 0:
+            return end
+        points, area_mm2 = region.points, region.area_mm2
+        strips = measured_border(points, area_mm2, towards, (low, high))
+        summit = strips.summit(strips.touched > 0, scaled.bend_mm, None)
+        found = _point(summit, strips, towards)
+        return replace(end, point=whole * found + (1 - whole) * end.point)
 
     @cached_property
     def _front_mm(self) -> float:
@@ -197,29 +219,47 @@ class SoleSurface:
         turn = self._insole2sole.T
         return ContourConstraints(touches.points @ turn, touches.normals @ turn)
 
+    def rear(self, shares: tuple[float, float], usual: UsualEnd) -> End:
+        """Find the rearmost point, between shares of the length; mm, sole frame."""
+        end = self.support(-_AHEAD[:2], shares)
+        scaled = usual.scaled(self._scale)
+        fit = fit_round_end(
+            Evidence(self._whole, self._touches), -_AHEAD, end.point, _REAR_MM, scaled
+        )
+        across = float(np.clip(fit.across_mm, end.point[0] - _REAR_MM, end.point[0] + _REAR_MM))
+        if not is_outlined(fit):
+            confidence = end.confidence
+            deviation_mm = None
+            if self._touches is not None:
+                confidence, deviation_mm = min(confidence, _UNSEEN), _UNSEEN_MM
+            return End(np.array([across, *end.point[1:]]), confidence, deviation_mm)
+        deviation_mm = float(fit.deviations_mm[0])
+        confidence = SURE - _DOUBT * max(deviation_mm - CERTAIN_MM, 0.0)
+        return End(np.array([across, -fit.reach_mm, fit.height_mm]), confidence, deviation_mm)
+
+    @property
+    def _scale(self) -> float:
+        return self.length_mm / _USUAL_LENGTH_MM
+
     def _touched(
         self,
         end: End,
         direction: FloatArray,
         between_mm: tuple[float, float],
-        border: UsualBorder,
-        usual_mm: float | None = None,
+        usual: UsualBorder,
+        usual_mm: float,
     ) -> End:
         """Refine an end by the contours; unchanged in position where they do not determine it."""
-        if self._touches is None:
-            return end
+        assert self._touches is not None
         surface = ContourConstraints(self._whole.points, self._whole.normals)
-        scaled = border.scaled(self.length_mm / _USUAL_LENGTH_MM)
-        fit = fit_border(surface, self._touches, direction, between_mm, scaled)
-        trusted = (fit.touched > _LEAST_TOUCHED) & (fit.deviation_mm < _TRUSTED_MM)
+        fit = fit_border(surface, self._touches, direction, between_mm, usual)
+        trusted = (fit.touched > LEAST_TOUCHED) & (fit.deviation_mm < TRUSTED_MM)
         if not trusted.any():
             return replace(end, confidence=min(end.confidence, _UNSEEN), deviation_mm=_UNSEEN_MM)
-        summit = fit.summit(trusted, scaled.bend_mm, usual_mm)
-        point = summit.reach_mm * direction + summit.across_mm * np.abs(direction[[1, 0, 2]])
-        point[2] = fit.height_mm[summit.strip]
+        summit = fit.summit(trusted, usual.bend_mm, usual_mm)
         deviation_mm = float(fit.deviation_mm[summit.strip])
-        confidence = SURE - _DOUBT * max(deviation_mm - _CERTAIN_MM, 0.0)
-        return End(point, float(confidence), deviation_mm)
+        confidence = SURE - _DOUBT * max(deviation_mm - CERTAIN_MM, 0.0)
+        return End(_point(summit, fit, direction), float(confidence), deviation_mm)
 
     def toe_tips(self) -> list[End]:
         """Find the five tips, medial to lateral, mm, sole frame; a guess where no toe was found."""
@@ -237,26 +277,33 @@ class SoleSurface:
 
     def _toe_tip(self, usual: FloatArray, search_mm: float) -> End:
         x = pulp_line(self._sole.points, self._sole.area_mm2, self.length_mm, usual, search_mm)
-        merged = x is None
         middle, half_mm = (usual[0], search_mm / 2) if x is None else (x, _TOE_HALF_MM)
         across, along, _ = self._whole.points.T
         toe = (np.abs(across - middle) < half_mm) & (along > usual[1] - _BAND * self.length_mm)
-        if not toe.any():
+        is_cut = self._front_mm < self.back_mm + _TO_TOES * self.length_mm
+        if not toe.any() or (x is None and is_cut):
             return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
-        tip = find_toe_end(self._whole.part(toe))
-        if merged and self._front_mm < self.back_mm + _TO_TOES * self.length_mm:
-            return End(np.array([*usual, _TIP_HEIGHT_MM]), GUESS)
-        ahead = np.array([0.0, 1.0, 0.0])
-        between = (float(tip.point[0]) - _TIP_HALF_MM, float(tip.point[0]) + _TIP_HALF_MM)
-        tip = self._touched(tip, ahead, between, TOE_BORDER)
-        return replace(tip, confidence=min(tip.confidence, _MERGED)) if merged else tip
+        strip = self._whole.part(toe)
+        start = np.array([middle, reach(strip.points[:, 1], strip.area_mm2), _TIP_HEIGHT_MM])
+        pulp_mm = weighted_quantile(strip.points[:, 2], strip.area_mm2, _PULP)
+        seen = Evidence(self._whole, self._touches)
+        if x is None:
+            return find_merged_end(seen, start, half_mm, pulp_mm, self._scale)
+        return find_toe_end(seen, start, pulp_mm, self._scale)
+
+
+def _point(summit: Extremum, border: BorderFit, direction: FloatArray) -> FloatArray:
+    point = summit.reach_mm * direction + summit.across_mm * np.abs(direction[[1, 0, 2]])
+    point[2] = border.height_mm[summit.strip]
+    return point
 
 
 def _end(
     border: Border, direction: FloatArray, radius_mm: float, usual_mm: float | None = None
-) -> End:
+) -> tuple[End, float]:
     """Find the outermost point of a part of the surface, continued where its normals fall short.
 
+    Returned with the degree to which the surface was measured up to it.
     `radius_mm` is that of the usual border; `usual_mm` is the usual position of the end across the
     direction, which decides where a border is nearly straight and frayed.
     """
@@ -265,7 +312,8 @@ def _end(
     top = reach(along, area_mm2)
     near = along > top - _END_DEPTH_MM
     faced = weighted_quantile(facing[near], area_mm2[near], 0.9)
-    short = 1 - float(ramp(faced, _WHOLE))
+    whole = float(ramp(faced, _WHOLE))
+    short = 1 - whole
     rated = along
     if usual_mm is not None:  # the border itself, where it was measured, is the best evidence
         across = points @ np.array([-direction[1], direction[0], 0.0])
@@ -280,7 +328,7 @@ def _end(
         end_mm += short * float(np.clip(round_mm - top, 0.0, _MOST_MM))
         place[2] += short * (height - place[2])
         confidence = min(confidence, SURE - (SURE - _CONTINUED) * (end_mm - top) / _MOST_MM)
-    return End(place + (end_mm - place @ direction) * direction, confidence)
+    return End(place + (end_mm - place @ direction) * direction, confidence), whole
 
 
 def _round_end(

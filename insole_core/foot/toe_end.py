@@ -1,9 +1,8 @@
-"""Find the end of a toe whose tip was measured with a frayed border or in part.
+"""Find the end of a toe: its tip may be seen as an outline, have a frayed border, or be cut off.
 
-The foremost vertex is the noisiest one, so the surface about it is used: its outline, smoothed
-across the toe, and a circle fitted to its cross-section, of a radius that is nearly known. Where
-the surface was measured up to its end, the outline counts; where it stops short, the circle
-continues it.
+The foremost vertex is the noisiest one, so the whole end is fitted as a round one (`round_end`).
+Where the surface was measured up to its end, how far it reaches there counts; where it stops short,
+and no outline shows the end, the fit continues it.
 """
 
 from __future__ import annotations
@@ -12,24 +11,29 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from insole_core.foot.outermost import Border, cap, ramp, reach
+from insole_core.foot.outermost import Border, ramp, reach
+from insole_core.foot.round_end import Evidence, RoundEnd, UsualEnd, fit_round_end
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.weighted import weighted_quantile
 
 SURE, GUESS = 0.95, 0.3
 _LEAST = 0.05
-_RADIUS_MM, _RADIUS_SPREAD_MM = 10.0, 2.5  # of the cross-section, and its standard deviation
-_BEND_MM, _HALF_MM = 9.0, 5.0  # radius of the outline from above, and half of the width used
-_SLOPE = 0.3  # standard deviation of the outline's slant
-_SUMMIT_MM = 1.0  # depth of the part about whose middle the tip is fitted
-_DEPTH_MM, _END_DEPTH_MM = 6.0, 3.0  # depth behind the outline of the tip, and of the end
-_FACING, _WHOLE = 0.15, (0.9, 0.97)  # cosine against straight ahead: of a tip, of a whole end
+MERGED = 0.45
+"""Greatest confidence of a toe that does not stand out from the others."""
+_MERGED_TOES, _MERGED_HALF_MM = UsualEnd((10.0, 4.0), (40.0, 20.0), (9.0, 2.0)), 12.0
+_AHEAD = np.array([0.0, 1.0, 0.0])
+_HALF_MM = 8.0  # to either side, where a toe of a foot of 240 mm is round
+_TIP_MM = 5.0  # to either side, where its outermost part lies
+_END_DEPTH_MM = 3.0
+_WHOLE = (0.9, 0.97)  # cosine against straight ahead, of a whole end
 _BEYOND_MM = (0.0, 2.0)  # height above the end up to which a whole tip was measured
-_LESS_MM, _MOST_MM = 1.0, 6.0  # how far the circle may end before and beyond the outline
-_NOISE_MM, _PATCH_MM2 = 0.5, 25.0  # noise of a point, and the area over which it is the same
-_ROUNDS, _FIRST_ROUNDS, _STEP_MM, _ROBUST = 12, 3, 3.0, 2.5
-_CERTAIN_MM, _DOUBT = 0.5, 0.25  # negligible standard deviation, and loss of confidence per mm
-_LEAST_POINTS = 8
+_LESS_MM, _MOST_MM = 1.0, 6.0  # how far the fit may end before and beyond the surface
+CERTAIN_MM, DOUBT = 0.5, 0.25
+"""Negligible standard deviation, and loss of confidence per mm beyond it."""
+TRUSTED_MM, LEAST_TOUCHED = 1.2, 0.5
+"""Standard deviation up to which outlines determine an end, and their least weight."""
+TOE = UsualEnd((10.0, 4.0), (9.0, 2.0), (9.0, 2.0))
+"""Its height over the pulp: a toe may be raised."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,94 +55,75 @@ class End:
     deviation_mm: float | None = None
 
 
-def find_toe_end(toe: Border) -> End:
+def find_toe_end(front: Evidence, start: FloatArray, pulp_mm: float, scale: float) -> End:
     """Find the tip of one toe.
 
     Parameters
     ----------
-    toe
-        Its surface; ahead = +y.
+    front
+        What was seen of the toes; ahead = +y.
+    start : (3,) float64, mm
+        About where the tip lies.
+    pulp_mm
+        Height of the lowest part of the toe.
+    scale
+        Of the foot, against one of 240 mm.
 
     Returns
     -------
     End
-        A guess at the summit when there are too few points.
     """
-    aside = toe.points[:, 0] - _middle(toe, _SUMMIT_MM)[0]
-    near = np.abs(aside) < _HALF_MM
-    shell, aside = toe.part(near), aside[near]
-    top = reach(shell.points[:, 1], shell.area_mm2)
-    depth = top - _slope(aside) - shell.points[:, 1]
-    kept = (depth < _DEPTH_MM) & (shell.normals[:, 1] > _FACING)
-    place = _middle(toe, _END_DEPTH_MM)
-    if kept.sum() < _LEAST_POINTS:
-        return End(place, GUESS)
-    shell = shell.part(kept)
-    fitted = _fit(shell, aside[kept], top)
-    short = 1 - _wholeness(shell, fitted.height_mm, top)
-    z = shell.points[:, 2]
-    height = float(np.clip(fitted.height_mm, z.min(), z.max() + _MOST_MM))
-    ahead = float(np.clip(fitted.reach_mm - top, -_LESS_MM, _MOST_MM))
-    place[1:] = top + short * ahead, place[2] + short * (height - place[2])
-    doubt = short * _DOUBT * max(fitted.deviation_mm - _CERTAIN_MM, 0.0)
-    return End(place, float(np.clip(SURE - doubt, _LEAST, SURE)))
+    usual = TOE.scaled(scale).raised(pulp_mm)
+    fit = fit_round_end(front, _AHEAD, start, scale * _HALF_MM, usual)
+    across = float(np.clip(fit.across_mm, start[0] - _TIP_MM, start[0] + _TIP_MM))
+    if is_outlined(fit):
+        doubt = DOUBT * max(float(fit.deviations_mm[0]) - CERTAIN_MM, 0.0)
+        point = np.array([across, start[1] + _ahead(fit.reach_mm - start[1]), fit.height_mm])
+        return End(point, SURE - doubt, float(fit.deviations_mm[0]))
+    away = np.abs(front.surface.points[:, 0] - across)
+    tip = front.surface.part(away < scale * _TIP_MM)
+    if len(tip.points) == 0:
+        return End(start, GUESS)
+    top = reach(tip.points[:, 1], tip.area_mm2)
+    short = 1 - _wholeness(tip, fit.height_mm, top)
+    z = tip.points[:, 2]
+    height = float(np.clip(fit.height_mm, z.min(), z.max() + _MOST_MM))
+    doubt = short * DOUBT * max(float(fit.deviations_mm[0]) - CERTAIN_MM, 0.0)
+    confidence = float(np.clip(SURE - doubt, _LEAST, SURE))
+    return End(np.array([across, top + short * _ahead(fit.reach_mm - top), height]), confidence)
 
 
-def _middle(toe: Border, depth_mm: float) -> FloatArray:
-    return cap(toe.points, toe.points[:, 1], toe.area_mm2, depth_mm)
+def find_merged_end(
+    front: Evidence, start: FloatArray, half_mm: float, pulp_mm: float, scale: float
+) -> End:
+    """Find how far the foot reaches about the place of a toe that does not stand out from others.
+
+    Parameters as of `find_toe_end`; across the foot the end stays at `start`, and what reaches
+    farthest up to `half_mm` beside it counts.
+    """
+    usual = _MERGED_TOES.scaled(scale).raised(pulp_mm)
+    fit = fit_round_end(front, _AHEAD, start, scale * _MERGED_HALF_MM, usual)
+    if not is_outlined(fit):
+        return End(start, MERGED)
+    farthest = float(np.clip(fit.across_mm, start[0] - half_mm, start[0] + half_mm))
+    along = start[1] + _ahead(fit.reach_at(farthest) - start[1])
+    deviation_mm = float(fit.deviations_mm[0])
+    return End(np.array([start[0], along, fit.height_mm]), MERGED, deviation_mm)
 
 
-def _slope(aside: FloatArray) -> FloatArray:
-    """Return how far the usual outline falls behind its tip."""
-    return np.asarray(aside**2 / (2 * _BEND_MM))
+def is_outlined(fit: RoundEnd) -> bool:
+    """Return whether outlines determine how far an end reaches."""
+    return fit.touched > LEAST_TOUCHED and float(fit.deviations_mm[0]) < TRUSTED_MM
 
 
-def _wholeness(shell: Border, height_mm: float, top: float) -> float:
+def _ahead(way_mm: float) -> float:
+    """Limit how far before or beyond the surface an end may lie."""
+    return float(np.clip(way_mm, -_LESS_MM, _MOST_MM))
+
+
+def _wholeness(tip: Border, height_mm: float, top: float) -> float:
     """Return to what degree a tip faces ahead and was measured past the height of its end."""
-    end = shell.part(shell.points[:, 1] > top - _END_DEPTH_MM)
-    if len(end.points) == 0:  # of a child's toe nothing there may face ahead
-        return 0.0
+    end = tip.part(tip.points[:, 1] > top - _END_DEPTH_MM)
     turned = weighted_quantile(end.normals[:, 1], end.area_mm2, 0.9)
-    above = weighted_quantile(shell.points[:, 2], shell.area_mm2, 0.97) - height_mm
+    above = weighted_quantile(tip.points[:, 2], tip.area_mm2, 0.97) - height_mm
     return float(ramp(turned, _WHOLE) * ramp(above, _BEYOND_MM))
-
-
-@dataclass(frozen=True)
-class _RoundEnd:
-    """The end of a round tip: position along y, height, and standard deviation."""
-
-    reach_mm: float
-    height_mm: float
-    deviation_mm: float
-
-
-def _fit(shell: Border, aside: FloatArray, top: float) -> _RoundEnd:
-    """Fit a circle to the cross-section of a tip whose outline is bent and slanted.
-
-    Robust least squares (Geman & McClure) with a prior on the radius, the slant and the bend; the
-    unknowns are centre (along, z), radius, slant and bend.
-    """
-    _, along, z = shell.points.T
-    radius, bend = _RADIUS_MM, 1 / _BEND_MM
-    usual = np.array([0.0, 0.0, radius, 0.0, bend])
-    information = np.array([1e3, 1e3, _RADIUS_SPREAD_MM, _SLOPE, bend / 2]) ** -2.0
-    known = np.array([top - radius, np.median(z) + radius / 2, radius, 0.0, bend])
-    patches = max(4.0, 2 * _HALF_MM * max(float(np.ptp(z)), 3.0) / _PATCH_MM2)
-    shares = patches * shell.area_mm2 / shell.area_mm2.sum() / _NOISE_MM**2
-    for number in range(_ROUNDS):
-        ahead = along - known[3] * aside + known[4] * aside**2 / 2 - known[0]
-        above = z - known[1]
-        distance = np.maximum(np.hypot(ahead, above), 1e-6)
-        off = distance - known[2]
-        out, up = ahead / distance, above / distance
-        rows = np.column_stack([-out, -up, -np.ones_like(off), -out * aside, out * aside**2 / 2])
-        weights = shares
-        if number >= _FIRST_ROUNDS:
-            spread = max(1.48 * float(np.median(np.abs(off))), 0.2)
-            weights = shares / (1 + (off / spread / _ROBUST) ** 2) ** 2
-        normal = rows.T @ (rows * weights[:, None]) + np.diag(information)
-        change = np.linalg.solve(normal, information * (usual - known) - rows.T @ (weights * off))
-        known = known + np.clip(change, -_STEP_MM, _STEP_MM)
-    end = np.array([1.0, 0.0, 1.0, 0.0, 0.0])
-    deviation_mm = float(np.sqrt(end @ np.linalg.solve(normal, end)))
-    return _RoundEnd(float(known[0] + known[2]), float(known[1]), deviation_mm)

@@ -16,7 +16,7 @@ from insole_core.foot.measure_table import measure_table
 from insole_core.foot.measures import DEFINITIONS, deviations_mm, doubts, measure
 from insole_core.geometry.mesh import ContourConstraints, TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import transform
+from insole_core.geometry.transforms import inverse, transform
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import vary_shape
@@ -124,6 +124,35 @@ def test_a_sole_without_side_walls_is_measured_by_its_outlines(model):
     assert 0.3 < deviation_mm["foot_length"] < 1.5
     bare = find_landmarks(place_foot(sole, model.shape.side, frame="reference"))
     assert deviations_mm(bare) == {}
+
+
+def axis_deg(foot: Foot) -> float:
+    """Direction of the foot axis in the frame of the scan, > 0 towards medial."""
+    marks, back = find_landmarks(foot), inverse(foot.source2insole)
+    heel, toe = (transform(back, marks[name].point) for name in ("pternion", "toe_tip_2"))
+    return float(np.degrees(np.arctan2((toe - heel)[0] * foot.side.medial_sign, (toe - heel)[1])))
+
+
+def test_outlines_show_where_the_foot_points(model):
+    touches = seen_from(model.mesh, [[-330, 0, -700], [330, 0, -700]])
+    sole = model.mesh.part(model.mesh.vertex_normals[:, 2] < -0.3)
+    side = model.shape.side
+    whole = place_foot(model.mesh, side, frame="reference")
+    seen = place_foot(replace(sole, touches=touches), side, frame="reference")
+    assert axis_deg(seen) == pytest.approx(axis_deg(whole), abs=0.4)
+
+
+@pytest.mark.slow
+@pytest.mark.shared
+def test_a_real_foot_whose_toes_melt_together_is_as_long_and_points_as_it_does(shared_data: Path):
+    folder = shared_data / "sessions" / "left_h"
+    foot = open_scan(folder).foot
+    truth = place_foot(read_mesh(folder / "truth.ply").mesh, Side.LEFT, frame="reference")
+    marks = find_landmarks(foot)
+    known = measure(truth, find_landmarks(truth))
+    assert measure(foot, marks)["foot_length"] == pytest.approx(known["foot_length"], abs=0.8)
+    assert axis_deg(foot) == pytest.approx(axis_deg(truth), abs=1.0)
+    assert marks["toe_tip_2"].confidence < 0.5
 
 
 def test_what_outlines_do_not_show_is_named(left_mesh):
