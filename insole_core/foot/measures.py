@@ -123,6 +123,7 @@ NOT_MARKED = frozenset({"navicular_height"})
 
 _LENGTH = ("pternion", "toe_tip_1", "toe_tip_2")
 _BALL = ("metatarsale_tibiale", "metatarsale_fibulare")
+_AT_SIDES = frozenset({*_BALL, "heel_medial", "heel_lateral"})
 _STANDS_ON = {
     "foot_length": _LENGTH,
     "ball_width": _BALL,
@@ -138,18 +139,36 @@ _STANDS_ON = {
 _SIZES_EU, _SIZES_UK = (15.0, 55.0), (1.0, 17.0)  # that exist; children's English are others
 _DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.2
 _SIZES = ("foot_length", "ball_width", "ball_width_across", "ball_length", "heel_width")
-_PLACING_MM = 0.5  # of the views against each other, in every size
+_PLACING_MM = 0.3  # of the views against each other, in every size
+_SIDE_MM, _ALONG_SIDE_MM = 0.35, 1.5
+"""Of an end at the side of a foot: across it, because its section is not quite round, and along it,
+because it is nearly straight."""
 
 
 def deviations_mm(landmarks: Landmarks) -> dict[str, float]:
     """Compute the standard deviations, mm, by measure, of the sizes whose ends lie on contours."""
     found = {}
     for name in _SIZES:
-        ends = [landmarks[mark].deviation_mm for mark in _ends(name, landmarks)]
-        known = [end for end in ends if end is not None]
-        if len(known) == len(ends):
-            found[name] = float(np.linalg.norm([*known, _PLACING_MM]))
+        ends = _ends(name, landmarks)
+        if all(landmarks[end].deviation_mm is not None for end in ends):
+            parts = [_end_deviation_mm(landmarks, end, name) for end in ends]
+            found[name] = float(np.linalg.norm([*parts, _PLACING_MM]))
     return found
+
+
+def _end_deviation_mm(landmarks: Landmarks, end: str, size: str) -> float:
+    """Return what one end adds to the standard deviation of a size, mm."""
+    own = landmarks[end].deviation_mm or 0.0
+    if end not in _AT_SIDES:
+        return own
+    across = float(np.hypot(own, _SIDE_MM))
+    if size == "ball_length":
+        return _ALONG_SIDE_MM
+    if size != "ball_width":
+        return across
+    tibiale, fibulare = (landmarks[name].point[:2] for name in _BALL)
+    way = np.abs(tibiale - fibulare) / np.linalg.norm(tibiale - fibulare)
+    return float(np.hypot(way[0] * across, way[1] * _ALONG_SIDE_MM))
 
 
 def _ends(name: str, landmarks: Landmarks) -> tuple[str, ...]:
@@ -173,7 +192,8 @@ def doubts(landmarks: Landmarks) -> dict[str, str]:
                 places=joined(seen_badly, " and "),
             )
     for name, deviation_mm in deviations_mm(landmarks).items():
-        if name not in found and deviation_mm > _DOUBTFUL_MM:
+        usual_mm = _ALONG_SIDE_MM if name == "ball_length" else 0.0
+        if name not in found and deviation_mm > _DOUBTFUL_MM + usual_mm:
             found[name] = Message(
                 "known to about {deviation_mm:.1f} mm only", deviation_mm=deviation_mm
             )
