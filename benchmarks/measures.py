@@ -33,8 +33,8 @@ from insole_core.geometry.transforms import inverse, rigid, transform
 from insole_core.recording.writer import write_session
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate import SimulationOptions, simulate_session
+from insole_core.simulate.foot_model import paint_skin
 from insole_core.simulate.known_bodies import KnownBody
-from insole_core.simulate.skin import paint_skin
 from insole_core.workflows.make_foot import make_foot, open_session
 
 SIMULATED, SEED = int(os.environ.get("SIMULATED", "4")), int(os.environ.get("SEED", "101"))

@@ -31,7 +31,7 @@ _RELIEF_CELLS = 1.5
 _HEEL_HEIGHT_MM = 45.0
 
 
-def _paint_skin(
+def paint_skin(
     mesh: TriangleMesh, landmarks_mm: dict[str, FloatArray], rng: np.random.Generator
 ) -> TriangleMesh:
     """Colour the surface of a left foot.
@@ -149,7 +149,7 @@ def build_foot(
         **_numbered("toe_tip", transform(model2reference, field.toe_tips())),
         **_numbered("metatarsal_head", transform(model2reference, field.metatarsal_heads())),
     }
-    mesh = _paint_skin(mesh, landmarks, rng)
+    mesh = paint_skin(mesh, landmarks, rng)
     if shape.side is Side.LEFT:
         return FootModel(shape, mesh, landmarks)
     mirror = np.diag([-1.0, 1.0, 1.0, 1.0])

@@ -144,10 +144,12 @@ def test_outlines_show_where_the_foot_points(model):
 
 @pytest.mark.slow
 @pytest.mark.shared
-def test_a_real_foot_whose_toes_melt_together_is_as_long_and_points_as_it_does(shared_data: Path):
-    folder = shared_data / "sessions" / "left_h"
-    foot = open_scan(folder).foot
-    truth = place_foot(read_mesh(folder / "truth.ply").mesh, Side.LEFT, frame="reference")
+def test_a_real_foot_whose_toes_melt_together_is_as_long_and_points_as_it_does(
+    shared_data: Path, recorded_foot
+):
+    foot = recorded_foot("left_h")
+    mesh = read_mesh(shared_data / "sessions" / "left_h" / "truth.ply").mesh
+    truth = place_foot(mesh, Side.LEFT, frame="reference")
     marks = find_landmarks(foot)
     known = measure(truth, find_landmarks(truth))
     assert measure(foot, marks)["foot_length"] == pytest.approx(known["foot_length"], abs=0.8)
