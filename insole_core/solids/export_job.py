@@ -454,7 +454,7 @@ def _title(job: ExportJob, part: Part, drawn: Sequence[DrawnInsole]) -> dict[str
         "quantity": str(terms.quantity),
         "material": job.translate(job.materials.get(part.side) or "–"),
         "lot of the material": terms.lot or "–",
-        "serial number": job.serials_of(part.side),
+        "serial number": ", ".join(job.serial_of(each.side) for each in drawn),
         "colour": terms.colour or "–",
         "cover": terms.cover or "–",
         "delivery date": terms.facts.get("delivery date", "–"),

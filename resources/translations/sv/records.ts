@@ -452,6 +452,10 @@
             <translation>Öppet just nu: {who}</translation>
         </message>
         <message>
+            <source>Open its visit, and export the next revision of its files</source>
+            <translation>Öppna dess besök och exportera nästa revision av filerna</translation>
+        </message>
+        <message>
             <source>Open orders</source>
             <translation>Öppna beställningar</translation>
         </message>
@@ -466,6 +470,10 @@
         <message>
             <source>Order {number}</source>
             <translation>Beställning {number}</translation>
+        </message>
+        <message>
+            <source>Order {number} was cancelled, or is not the last one of its visit, and gets no revision; open the visit and export a new order.</source>
+            <translation>Beställning {number} har makulerats, eller är inte den sista för besöket, och får ingen revision; öppna besöket och exportera en ny beställning.</translation>
         </message>
         <message>
             <source>Order {number} was written without files.</source>
@@ -570,6 +578,10 @@
         <message>
             <source>Returned</source>
             <translation>Returnerad</translation>
+        </message>
+        <message>
+            <source>Revise…</source>
+            <translation>Revidera…</translation>
         </message>
         <message>
             <source>Right foot not scanned: mirrored from the left</source>

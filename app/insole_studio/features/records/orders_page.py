@@ -28,6 +28,7 @@ class OrdersPage(QWidget):
     """The id of an order, and the value of the state to bring it to."""
     order_chosen = Signal(str)
     edit_requested = Signal(str)
+    revise_requested = Signal(str)
     papers_requested = Signal(str)
     folder_requested = Signal(str)
     patients_requested = Signal()
@@ -74,6 +75,10 @@ class OrdersPage(QWidget):
         self.cancel_button.clicked.connect(self._request_cancel)
         self.open_button = self._button(tr("Open the visit"), self.order_chosen)
         self.edit_button = self._button(tr("Shop and due date…"), self.edit_requested)
+        self.revise_button = self._button(tr("Revise…"), self.revise_requested)
+        self.revise_button.setToolTip(
+            tr("Open its visit, and export the next revision of its files")
+        )
         self.papers_button = self._button(tr("Print the papers…"), self.papers_requested)
         self.folder_button = self._button(tr("Open the folder"), self.folder_requested)
         self.nest_button = QPushButton(tr("Nest the orders…"))
@@ -86,8 +91,8 @@ class OrdersPage(QWidget):
     def _of_chosen(self) -> tuple[QWidget, ...]:
         """The widgets that need a chosen order."""
         return (
-            self.open_button, self.edit_button, self.papers_button, self.folder_button,
-            self.to_state, self.move_button, self.cancel_button,
+            self.open_button, self.revise_button, self.edit_button, self.papers_button,
+            self.folder_button, self.to_state, self.move_button, self.cancel_button,
         )  # fmt: skip
 
     def show_orders(

@@ -61,6 +61,7 @@ from insole_studio.services.person_list import person_rows
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
+    from insole_core.records.order import Order
     from insole_core.records.records import Records
     from insole_studio.features.records.record_transfer import RecordTransfer
 
@@ -105,6 +106,9 @@ class PatientRecords(QObject):
         self.captures = VisitCaptures(services)
         self._presence = VisitPresence(services)
         self.order_actions = OrderActions(services)
+        self._visit_to_export = ""
+        """Of the order that is being revised, until it is open."""
+        services.case.opened.connect(self._export_opened)
         self.nest_actions = NestActions(services)
         self.order_files = OrderFiles(services)
         self.photos = VisitPhotos(services)
@@ -293,6 +297,7 @@ class PatientRecords(QObject):
             self.orders.patients_requested.connect(self.show_start)
             self.orders.order_chosen.connect(self._open_order)
             self.orders.edit_requested.connect(self.order_actions.ask)
+            self.orders.revise_requested.connect(self._revise_order)
             self.orders.papers_requested.connect(self.order_files.open_papers)
             self.orders.folder_requested.connect(self.order_files.open_folder)
         assert self._orders_presenter is not None
@@ -384,6 +389,33 @@ class PatientRecords(QObject):
             self.open_visit,
             self._tell,
         )
+
+    def _revise_order(self, order_id: str) -> None:
+        """Open the visit of an order, and the window that exports its next revision."""
+
+        def read(records: Records) -> tuple[Order, str]:
+            order = records.orders.get(order_id)
+            return order, records.orders.note_of(order.visit_id).number
+
+        def revise(found: tuple[Order, str]) -> None:
+            order, revised = found
+            if order.number == revised:
+                self._visit_to_export = order.visit_id
+                self.open_visit(order.visit_id)
+                return
+            sentence = tr(
+                "Order {number} was cancelled, or is not the last one of its visit, and gets no "
+                "revision; open the visit and export a new order."
+            )
+            self._services.messages.show_sentence(sentence.format(number=order.number))
+
+        self._clinic.ask("records-order", read, revise, self._tell)
+
+    def _export_opened(self) -> None:
+        """Show the window that exports, once the visit that it was asked for is open."""
+        if self._visit_to_export and self._keeper.visit_id == self._visit_to_export:
+            self.action_requested.emit("export")
+        self._visit_to_export = ""
 
     def _edit_visit(self, visit_id: str) -> None:
         assert self._person_presenter is not None

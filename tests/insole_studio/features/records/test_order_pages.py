@@ -257,6 +257,30 @@ def test_a_visit_that_is_exported_again_is_one_order_with_two_revisions(
     assert stage.view.form.terms.colour.text() == "black"
 
 
+def test_an_order_is_revised_from_the_page(
+    page: OrdersPage, clinic: Application, records: Records, order: Order, rest: Callable[[], None]
+) -> None:
+    """Its visit opens, with the window that exports the next revision of it."""
+    page.table.take_first()
+    QTest.mouseClick(page.revise_button, LEFT)
+    rest()
+    stage = clinic.features.export.stage
+    assert stage is not None
+    assert f"{order.number}, revision 2" in stage.view.form.order.currentText()
+    stage.close()
+    records.orders.move(order.id, OrderState.CANCELLED, "", order.revision)
+    clinic.controller.run_action("orders", False)
+    rest()
+    choose(page, ALL)
+    rest()
+    page.table.take_first()
+    QTest.mouseClick(page.revise_button, LEFT)
+    rest()
+    assert clinic.features.export.stage is None
+    (told,) = clinic.services.messages.dialogs
+    assert "gets no revision" in told.text()
+
+
 def test_a_revision_keeps_what_was_agreed_with_the_shop_meanwhile(
     clinic: Application, records: Records, visit: Visit, order: Order, rest: Callable[[], None],
     qtbot: QtBot, tmp_path: Path,
