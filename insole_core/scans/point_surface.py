@@ -23,7 +23,8 @@ _SPACING_NEIGHBOUR = 6  # 1.4 times the distance of neighbours on a grid, as in 
 _CELL_SHARE, _REACH_SHARE = 0.72, 1.6
 """Edge of the grid's cells, and how far from a point the surface goes on, in these spacings."""
 _BAND_CELLS = 3
-_BOX, _CROSS = np.ones((3, 3, 3), dtype=bool), scipy.ndimage.generate_binary_structure(3, 1)
+_BOX = np.ones((3, 3, 3), dtype=bool)
+_CROSS = np.abs(np.indices(_BOX.shape) - 1).sum(axis=0) <= 1  # without loading SciPy
 _MOST_ONE_SIDED = 0.7
 """Of the mean distance to the nearest points, that their middle lies off within the surface."""
 _OUTLIER_NEIGHBOURS, _OUTLIER_FACTOR = 6, 4.0
