@@ -53,6 +53,7 @@ class FlowLayout(QLayout):
     def addItem(self, item: QLayoutItem) -> None:
         """Append an item."""
         self._items.append(item)
+        self.invalidate()  # else those after a new one may stay where they are
 
     def count(self) -> int:
         """Return the number of items."""

@@ -48,6 +48,15 @@ def test_a_group_whose_values_changed_keeps_its_fields_beside_a_new_one(
     qtbot.waitUntil(lambda: 0 < new.x() < field.parentWidget().x())
 
 
+def test_groups_make_room_for_a_new_one_before_them(view: ParametersView, qtbot: QtBot) -> None:
+    kept = field_of(view, HEIGHT.key).parentWidget()
+    before = kept.x()
+    slope = FieldGroup("Rocker", (replace(HEIGHT, key="rocker.slope", unit="°"),))
+    view.show_groups([slope, PAD, MAKE])
+    new = field_of(view, "rocker.slope").parentWidget()
+    qtbot.waitUntil(lambda: kept.x() >= new.geometry().right() > before)
+
+
 def test_the_focus_goes_to_the_field_of_the_same_key(view: ParametersView) -> None:
     before = field_of(view, HEIGHT.key)
     before.setFocus()
