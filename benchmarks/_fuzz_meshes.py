@@ -17,9 +17,8 @@ from benchmarks._fuzz_mutations import Mutation, byte_mutations
 from benchmarks._fuzz_pool import Expected
 from insole_core.formats.obj import write_obj
 from insole_core.formats.ply import write_ply
-from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.formats.stl import write_ascii_stl, write_stl
-from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
 
 

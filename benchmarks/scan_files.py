@@ -23,9 +23,8 @@ import trimesh
 
 from benchmarks._measure import print_table
 from insole_core.errors import InsoleError
-from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.formats.stl import write_stl
-from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.mesh_file import read_mesh

@@ -1,12 +1,14 @@
-"""What a file for a shop holds, in whatever format it is written."""
+"""What a file for a shop holds, and its writing in the format that the file's name selects."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
+from insole_core.formats.file_formats import check_solid_suffix, mesh_format
 from insole_core.geometry.mesh import TriangleMesh
 
 
@@ -98,3 +100,36 @@ def merged(meshes: Sequence[TriangleMesh]) -> TriangleMesh:
         ),
         np.concatenate(colors) if len(colors) == len(meshes) else None,
     )
+
+
+def write_solids(
+    parts: Sequence[SolidPart],
+    path: Path,
+    *,
+    as_text: bool = False,
+    label: str = "",
+    note: str = "",
+) -> None:
+    """Write parts in the format that the suffix of `path` selects.
+
+    Formats that carry bodies keep the parts separate; in others they are shells of one mesh.
+
+    Parameters
+    ----------
+    parts : mm
+        In a common frame.
+    as_text
+        Whether STL is written in text.
+    label, note
+        As for `SolidContent`.
+
+    Raises
+    ------
+    UsageError
+        When the format is not known.
+    OutputError
+        When the place cannot be written; a file that was there before is untouched.
+    """
+    check_solid_suffix(path)
+    content = SolidContent(parts, label, note)
+    mesh_format(path.suffix.lower()).write(content, path, as_text=as_text)

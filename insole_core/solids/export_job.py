@@ -21,8 +21,7 @@ from insole_core.files.transaction import Transaction
 from insole_core.formats.dxf import write_dxf
 from insole_core.formats.file_formats import OUTLINES, can_carry, check_solid_suffix
 from insole_core.formats.slicer_3mf import Printer, write_slicer_3mf
-from insole_core.formats.solid_content import SolidPart
-from insole_core.formats.writing import write_solids
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh

@@ -8,7 +8,6 @@ from insole_core.foot.landmarks import Landmarks
 from insole_core.insole.elements import (
     BrushStroke,
     Correction,
-    HeelCup,
     Pelott,
 )
 from insole_core.insole.prescription.design import InsoleDesign
@@ -118,7 +117,7 @@ def _posts(design: InsoleDesign, usual: InsoleDesign | None) -> tuple[Post, ...]
 
 
 def _is_proposed(correction: Correction, design: InsoleDesign) -> bool:
-    if correction.type == HeelCup.type:
+    if correction.rim_depth_mm is not None:
         return design.finish is None  # else `cup_mm` says its depth
     return not correction.is_of_one_foot
 

@@ -25,8 +25,7 @@ from insole_core.formats.file_formats import (
 )
 from insole_core.formats.reading import read_raw
 from insole_core.formats.scan_content import ScanContent
-from insole_core.formats.solid_content import SolidPart
-from insole_core.formats.writing import write_solids
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.packing import Packed, Turn, pack

@@ -23,8 +23,7 @@ from tetrahedron import CORNERS, FACES, TETRA
 from insole_core.errors import InputError
 from insole_core.formats.reading import read_raw
 from insole_core.formats.scan_content import file_content
-from insole_core.formats.solid_content import SolidPart
-from insole_core.formats.writing import write_solids
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.geometry.arrays import FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.scans.mesh_file import read_mesh

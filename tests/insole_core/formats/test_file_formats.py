@@ -27,8 +27,7 @@ from insole_core.formats.file_formats import (
 )
 from insole_core.formats.reading import read_raw
 from insole_core.formats.scan_content import file_content
-from insole_core.formats.solid_content import SolidPart
-from insole_core.formats.writing import write_solids
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.records.order import Order, OrderFile, OrderState
 from insole_core.records.person import Person
 from insole_core.workflows.records.person_dossier import PersonDossier, pseudonymous

@@ -14,10 +14,9 @@ from tetrahedron import CORNERS, FACES
 
 from insole_core.errors import OutputError, UsageError
 from insole_core.formats.file_formats import SOLID_SUFFIXES
-from insole_core.formats.solid_content import merged
+from insole_core.formats.solid_content import merged, write_solids
 from insole_core.formats.stl import write_ascii_stl
 from insole_core.formats.three_mf import CORE, OWN, SolidPart, write_3mf
-from insole_core.formats.writing import write_solids
 from insole_core.geometry.mesh import TriangleMesh
 
 COLORS = np.array([[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 8, 7]], np.uint8)
