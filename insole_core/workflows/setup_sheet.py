@@ -205,11 +205,12 @@ def _cutter_words(plan: MillingPlan, cutter: Cutter) -> Message:
     own = [each for each in plan.operations if each.cutter == cutter]
     deepest = plan.block_mm[2] - min(float(each.points_mm[:, 2].min()) for each in own)
     return Message(
-        "{shape}, diameter {diameter} mm, flutes {flute} mm, at least {free} mm out of the "
-        "collet; {rpm:.0f} rpm, {time}",
+        "{shape}, diameter {diameter} mm, flutes {flute} mm, length {reach} mm to the collet, of "
+        "which {free} mm are needed; {rpm:.0f} rpm, {time}",
         shape=Message(_SHAPES[cutter.shape]),
         diameter=number_message(cutter.diameter_mm),
         flute=number_message(cutter.flute_mm),
+        reach=number_message(cutter.reach_mm),
         free=number_message(float(np.ceil(deepest))),
         rpm=cutter.spindle_rpm,
         time=duration_message(sum(each.minutes(plan.machine) for each in own)),

@@ -9448,8 +9448,8 @@
             <translation>{session} spelades in med båda fötterna, men ingen {side} fot är på sin plats; avbilda båda igen, eller välj enbart {other} fot.</translation>
         </message>
         <message>
-            <source>{shape}, diameter {diameter} mm, flutes {flute} mm, at least {free} mm out of the collet; {rpm:.0f} rpm, {time}</source>
-            <translation>{shape}, diameter {diameter} mm, skär {flute} mm, minst {free} mm utanför spännhylsan; {rpm:.0f} varv/min, {time}</translation>
+            <source>{shape}, diameter {diameter} mm, flutes {flute} mm, length {reach} mm to the collet, of which {free} mm are needed; {rpm:.0f} rpm, {time}</source>
+            <translation>{shape}, diameter {diameter} mm, skär {flute} mm, längd {reach} mm till spännhylsan, varav {free} mm behövs; {rpm:.0f} varv/min, {time}</translation>
         </message>
         <message>
             <source>{share:.0%} of the image was never filled by a wall; move the board there.</source>

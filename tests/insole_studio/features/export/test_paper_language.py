@@ -7,6 +7,7 @@ from collections.abc import Callable
 from datetime import date, timedelta
 from pathlib import Path
 
+import manifold3d
 from PySide6.QtWidgets import QApplication
 from read_pdf import text_of_pdf
 
@@ -31,6 +32,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.layers import Layers
 from insole_core.messages import Message
+from insole_core.milling.machine import read_machine
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.signing import sign
@@ -39,9 +41,12 @@ from insole_core.records.visit import Visit
 from insole_core.resources import resource_path
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.prescription_paper import Responsible
-from insole_core.solids.shop import read_shop
+from insole_core.solids.shop import Block, read_shop
+from insole_core.solids.simplification import from_manifold
 from insole_core.workflows.compare_case import compare_sources, write_comparison
 from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
+from insole_core.workflows.mill import MillingChoice
+from insole_core.workflows.nest_orders import OrderedPiece, nest_pieces, write_nest
 from insole_core.workflows.records.export_person import export_person
 from insole_core.workflows.records.person_summary import Wording
 from insole_studio.texts import translation_into
@@ -68,6 +73,11 @@ ALIKE = {
     "eva", "insole", "pair", "sha", "stl", "studio",
 }  # fmt: skip
 """Words that are the same in both languages, and names: of the program, a block, a format."""
+OF_MACHINES = {
+    "linuxcnc", "flat", "end", "nose", "pin", "holes", "setup", "sheet", "program", "diameter",
+    "shore", "dxf", "pdf", "ball", "min",
+}  # fmt: skip
+"""Names of files, and of the machine and its cutters, which the shop writes; and the same words."""
 
 
 def words_of(path: Path) -> set[str]:
@@ -108,6 +118,28 @@ def test_papers_in_swedish_hold_no_word_of_the_english_ones(
         english, swedish = words_of(tmp_path / "en" / paper), words_of(tmp_path / "sv" / paper)
         assert len(english - swedish) > count
         assert english & swedish - ALIKE == set()
+
+
+def test_papers_of_the_router_in_swedish_hold_no_word_of_the_english_ones(
+    qapp: QApplication, tmp_path: Path
+) -> None:
+    """The sheet of a nest, and the set-up sheet of a block that is turned."""
+    corners = [(0, 0), (40, 0), (40, 50), (20, 70), (0, 60)]
+    solid = from_manifold(manifold3d.CrossSection([corners]).extrude(9.0))
+    pieces = [OrderedPiece("26-7", side, solid, "EVA, Shore A 35") for side in Side]
+    board = Block("EVA pair, low", (180.0, 160.0, 12.0))
+    nest = nest_pieces(pieces, board, margin_mm=30, across=False)
+    machine = read_machine(resource_path("milling/linuxcnc.json"))
+    for language in ("en", "sv"):
+        (tmp_path / language).mkdir()
+        write_nest(
+            nest, tmp_path / language / "o.stl", title="26-7",
+            milling=MillingChoice(machine, both_sides=True), translate=translation_into(language),
+        )  # fmt: skip
+    for paper, count in (("o-pieces.pdf", 20), ("o-setup-sheet.pdf", 50)):
+        english, swedish = words_of(tmp_path / "en" / paper), words_of(tmp_path / "sv" / paper)
+        assert len(english - swedish) > count
+        assert english & swedish - ALIKE - OF_MACHINES == set()
 
 
 def test_a_comparison_in_swedish_holds_no_word_of_the_english_one(
