@@ -18,11 +18,14 @@ from insole_core.milling.drop_cutter import STEEPEST, tip_heights
 from insole_core.milling.machine import Machine
 from insole_core.milling.sides import both_sides_of, mill_side, one_side_of, turned_over
 from insole_core.milling.surface import Surface
+from insole_core.milling.tabs import Tabs
 from insole_core.milling.tool_path import Motion, Operation, SideName
 from insole_core.progress import SILENT, Progress
 
 _MOST_LEFT_MM = 0.2
 """Material in a hollow of which nothing is said."""
+_TAB_SHARE = 0.9
+"""Of the thickness asked for, from which nothing is said of a tab."""
 _LEFT_PITCH_MM = 1.0
 _FAR_MM = 1e3
 _LAND_MM = 2.0
@@ -198,9 +201,26 @@ def plan_milling(
         part.step(0.9, "Looking for material that stays")
         left_over.append(_left_over(side.surface, machine, side.name))
     hollows = [_hollow(left, machine, block_mm, lying, feet) for left in left_over]
-    notes = tuple(note for note in hollows if note is not None)
+    notes = tuple(note for note in (*hollows, _thin_tabs(sides[0].tabs)) if note is not None)
     return MillingPlan(
         machine, block_mm, tuple(lying), tuple(operations), tuple(left_over), notes, tuple(feet)
+    )
+
+
+def _thin_tabs(tabs: Tabs) -> Message | None:
+    """Say how many tabs stay thinner than asked for."""
+    asked_mm = tabs.how.tab_height_mm
+    thin = tabs.thickness_mm < _TAB_SHARE * asked_mm
+    if not thin.any():
+        return None
+    return Message(
+        "{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the "
+        "thinnest {least:.1f} mm: the edge is thin or steep there. Hold the piece down when it "
+        "comes free, or ask for more tabs.",
+        thin=int(thin.sum()),
+        count=len(thin),
+        asked=asked_mm,
+        least=float(tabs.thickness_mm.min()),
     )
 
 

@@ -19,9 +19,7 @@ from insole_core.milling.surface import Surface, sample_surface
 from insole_core.milling.tabs import (
     OFF_EDGE_MM,
     Tabs,
-    tab_places,
     tabs_of_foot_side,
-    tabs_of_underside,
 )
 from insole_core.milling.tool_path import Operation, SideName
 from insole_core.progress import Progress
@@ -95,7 +93,10 @@ def both_sides_of(
     )
     first = _foot_side(surface, loops, skin_mm, edge + np.float32(OFF_EDGE_MM), machine)
     places = turned_points(np.pad(first.tabs.places_mm, ((0, 0), (0, 1))), block_mm, flip)[:, :2]
-    return [first, _underside(under, turned, places, block_mm, machine)]
+    return [
+        first,
+        _underside(under, turned, replace(first.tabs, places_mm=places), block_mm, machine),
+    ]
 
 
 def mill_side(
@@ -149,8 +150,8 @@ def _foot_side(
     tabs_begin_mm: Float32Array,
     machine: Machine,
 ) -> BlockSide:
-    places = np.concatenate([tab_places(outermost(each), machine) for each in loops])
-    tabs = tabs_of_foot_side(surface, places, tabs_begin_mm, machine)
+    outlines = [outermost(each) for each in loops]
+    tabs = tabs_of_foot_side(surface, outlines, tabs_begin_mm, machine)
     floor = tabs.over(surface, bottom_mm)
     # What stays round the piece, which holds it till then, is cut in one step of the contour.
     web_mm = max(machine.contour.step_down_mm - machine.roughing.allowance_mm, 0.0)
@@ -162,13 +163,13 @@ def _foot_side(
 def _underside(
     surface: Surface,
     solids: Sequence[TriangleMesh],
-    places_mm: FloatArray,
+    tabs: Tabs,
     block_mm: tuple[float, float, float],
     machine: Machine,
 ) -> BlockSide:
     """Beside the edge the block was cut free from the foot side; only the tabs must stay."""
     edge = surface.beyond_rim(surface.heights_mm)
-    tabs = tabs_of_underside(edge, places_mm, machine)
+    tabs = tabs.begun_at(edge)
     lowest = float(tabs.heights_mm.min())
     loops = [loop for solid in solids for loop in contour_loops(solid, machine, block_mm, lowest)]
     fine = replace(machine, contour=replace(machine.contour, step_down_mm=EDGE_STEP_MM))

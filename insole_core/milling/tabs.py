@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
+from insole_core.milling.drop_cutter import disc
 from insole_core.milling.machine import Contour, Machine
 from insole_core.milling.surface import Surface
+from insole_core.milling.tool_path import PITCH_MM, densified
 
 _RIM_MM = 0.75
 """From the outline to the top of a wall."""
 _BELOW_RIM_MM = 0.6
 """By which a tab stays below that, so that the ball leaves an edge clean that slopes down."""
+_PER_MM = 0.005
+"""Thickness for which a tab is moved by a millimetre."""
 _FLANK = 0.15
 """By which a tab grows along the wall on either side, per way down."""
 OFF_EDGE_MM = 0.3
@@ -32,11 +37,18 @@ class Tabs:
         On the way of the contour cutter's axis.
     heights_mm : (nx, ny) float32
         To which a cutter may go down there, on the nodes of the surface, above the block's bottom.
+    thickness_mm : (n,) float64
+        Of what stays of each in the end.
     """
 
     places_mm: FloatArray
     heights_mm: Float32Array
     how: Contour
+    thickness_mm: FloatArray
+
+    def begun_at(self, edge_mm: Float32Array) -> Tabs:
+        """Return the tabs as the turned block leaves them: a little below the edge (nx, ny)."""
+        return replace(self, heights_mm=edge_mm - np.float32(OFF_EDGE_MM))
 
     def over(self, surface: Surface, floor_mm: float | Float32Array) -> Float32Array:
         """Return heights (nx, ny) beside the solids, raised where a tab stays."""
@@ -80,35 +92,70 @@ class Tabs:
         return marked > 0
 
 
-def tab_places(outline_mm: FloatArray, machine: Machine) -> FloatArray:
-    """Return places (n, 2) of tabs, evenly along an outline, with room between them."""
-    how = machine.contour
-    along = np.append(0, np.cumsum(np.linalg.norm(np.diff(outline_mm, axis=0), axis=1)))
-    room = 2 * (how.tab_length_mm + how.cutter.diameter_mm)
-    count = min(how.tabs, int(along[-1] / room))
-    at = along[-1] * (np.arange(count) + 0.5) / max(count, 1)
-    return np.column_stack([np.interp(at, along, outline_mm[:, axis]) for axis in (0, 1)])
-
-
 def tabs_of_foot_side(
-    surface: Surface, places_mm: FloatArray, begin_mm: Float32Array, machine: Machine
+    surface: Surface,
+    outlines_mm: Sequence[FloatArray],
+    begin_mm: Float32Array,
+    machine: Machine,
 ) -> Tabs:
-    """Return tabs as high as the machine asks for, and no higher than the piece.
+    """Return tabs as thick as the machine asks for, and no higher than the piece.
+
+    They are spread evenly along each outline, but for moves to where they are thicker.
 
     Parameters
     ----------
+    outlines_mm : (n, 2) float64 each
+        Ways of the contour cutter's axis round the solids.
     begin_mm : (nx, ny) float32
         Height at which a tab begins beside each node.
     """
-    reach = 2 * round(_RIM_MM / surface.step_mm) + 1
-    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach))
+    high = _tab_tops(surface, begin_mm, machine)
+    chosen = [_places(each, surface, begin_mm, high, machine) for each in outlines_mm]
+    places, thickness = (np.concatenate(each) for each in zip(*chosen, strict=True))
+    return Tabs(places, high, machine.contour, thickness)
+
+
+def _tab_tops(surface: Surface, begin_mm: Float32Array, machine: Machine) -> Float32Array:
+    """Return the heights (nx, ny) to which tabs go.
+
+    A flat cutter that follows an edge up and down takes away from both ends of a tab, above and
+    below; it goes as much higher there, below the rim.
+    """
     inside = np.where(surface.inside, surface.heights_mm, np.float32(0))
-    rim = surface.beyond_rim(np.asarray(cv2.dilate(inside, kernel), np.float32))
+    rim = surface.beyond_rim(
+        np.asarray(cv2.dilate(inside, disc(_RIM_MM, surface.step_mm)), np.float32)
+    )
+    beside = np.where(surface.inside, np.float32(0), begin_mm)
+    around = cv2.dilate(beside, disc(machine.contour.cutter.diameter_mm, surface.step_mm))
     below_rim = np.maximum(rim - np.float32(_BELOW_RIM_MM), (begin_mm + rim) / 2)
-    high = np.minimum(begin_mm + np.float32(machine.contour.tab_height_mm), below_rim)
-    return Tabs(places_mm, np.asarray(high, np.float32), machine.contour)
+    high = np.minimum(around + np.float32(machine.contour.tab_height_mm), below_rim)
+    return np.asarray(high, np.float32)
 
 
-def tabs_of_underside(edge_mm: Float32Array, places_mm: FloatArray, machine: Machine) -> Tabs:
-    """Return the same tabs in the turned block: they begin a little below the edge (nx, ny)."""
-    return Tabs(places_mm, edge_mm - np.float32(OFF_EDGE_MM), machine.contour)
+def _places(
+    outline_mm: FloatArray,
+    surface: Surface,
+    begin_mm: Float32Array,
+    high_mm: Float32Array,
+    machine: Machine,
+) -> tuple[FloatArray, FloatArray]:
+    """Return places (n, 2) of tabs along an outline, and how thick (n,) they stay."""
+    how = machine.contour
+    line = densified(outline_mm)[:-1]
+    along = np.append(0, np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1)))
+    count = min(how.tabs, int(along[-1] / (2 * (how.tab_length_mm + how.cutter.diameter_mm))))
+    if not count:
+        return np.empty((0, 2)), np.empty(0)
+    apart_mm = along[-1] / count
+    most_mm = (apart_mm - how.tab_length_mm - how.cutter.diameter_mm) / 2
+    node = surface.index_of(line)
+    width = 2 * round(how.cutter.radius_mm / PITCH_MM) + 1
+    top = scipy.ndimage.minimum_filter1d(high_mm[node], width, mode="wrap")
+    bottom = scipy.ndimage.maximum_filter1d(begin_mm[node], width, mode="wrap")
+    thickness = np.clip(top - bottom, 0, how.tab_height_mm).astype(float)
+    chosen = []
+    for middle in apart_mm * (np.arange(count) + 0.5):
+        off = np.abs(along - middle)
+        worth = np.where(off <= most_mm, thickness - _PER_MM * off, -np.inf)
+        chosen.append(int(worth.argmax()))
+    return line[chosen], thickness[chosen]

@@ -9504,6 +9504,10 @@
             <translation>{text} ligger inte mellan {first} och {last}; kontrollera året.</translation>
         </message>
         <message>
+            <source>{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the thinnest {least:.1f} mm: the edge is thin or steep there. Hold the piece down when it comes free, or ask for more tabs.</source>
+            <translation>{thin} av {count} hållflikar blir tunnare än de {asked:g} mm som begärdes, den tunnaste {least:.1f} mm: kanten är tunn eller brant där. Håll fast stycket när det lossnar, eller begär fler hållflikar.</translation>
+        </message>
+        <message>
             <source>{used} of {taken} walls were used; they cover {share:.0%} of the image.</source>
             <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
         </message>

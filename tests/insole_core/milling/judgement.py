@@ -29,6 +29,7 @@ _HOLLOW_MM = 0.003
 _STEEPEST = np.sqrt(0.5)
 """Cosine of the steepest slope to which ridges may grow: they stay below twice those of a level."""
 _FAR_MM = 1e3
+_THIN_MM = 0.05
 _JOINT_MM = 0.4
 """Thickness of the weakest bridge that is counted: of a tab at an edge of half a millimetre."""
 
@@ -139,6 +140,22 @@ def tabs_that_hold(removal: Removal, inside: BoolArray, cutter_mm: float) -> int
     of_gap = ends[zone[ends[:, 0]] == 1]
     at_piece, at_block = (set(part[of_gap[zone[of_gap[:, 1]] == end, 0]]) for end in (0, 2))
     return len(at_piece & at_block)
+
+
+def tab_thicknesses(removal: Removal, inside: BoolArray, cutter_mm: float) -> FloatArray:
+    """Return how thick each tab is where it is thinnest on the way over the gap of the contour."""
+    beside = scipy.ndimage.distance_transform_edt(~inside) * removal.pitch_mm
+    thick = np.where(beside > 0, np.clip(removal.heights - removal.from_below, 0, None), 0)
+    gap = (beside > removal.pitch_mm) & (beside < cutter_mm - 1)
+    parts, count = scipy.ndimage.label(gap & (thick > _THIN_MM))
+    ring = np.floor(beside / (2 * removal.pitch_mm)).astype(int)
+    found = []
+    for part in range(1, count + 1):
+        within = parts == part
+        most = np.zeros(ring[gap].max() + 1)
+        np.maximum.at(most, ring[within], thick[within])
+        found.append(most[np.unique(ring[gap])[1:-1]].min())
+    return np.array([one for one in found if one > 0])
 
 
 def _joined(low: FloatArray, high: FloatArray) -> tuple[IntArray, IntArray]:

@@ -32,6 +32,7 @@ from tests.insole_core.milling.judgement import (
     edge_round,
     judge,
     seen_from_above,
+    tab_thicknesses,
     tabs_that_hold,
 )
 from tests.insole_core.milling.planner import program_minutes
@@ -43,6 +44,8 @@ TABS = 6
 """For which there is room round the piece."""
 NAMES = ("linuxcnc", "grbl", "mach3")
 GOUGE_MM, SURPLUS_MM = 0.02, 0.05
+THICK = 0.8
+"""Share of the thickness asked for that tabs have, or it is told."""
 
 
 def machine(name: str = "linuxcnc") -> Machine:
@@ -126,7 +129,7 @@ def test_one_side_is_left_as_asked_and_held_by_tabs():
     check_side(piece, removal.heights, removal, how, how.contour.tab_height_mm)
     check_moves(removal, how)
     ring = ring_round(piece, removal)
-    tabs, count = scipy.ndimage.label(ring & (removal.heights > 0.01))
+    tabs, count = scipy.ndimage.label(ring & (removal.heights > 0.01), np.ones((3, 3)))
     assert count == how.contour.tabs
     assert removal.heights[ring].max() == pytest.approx(how.contour.tab_height_mm, abs=0.01)
     across = [np.ptp(np.argwhere(tabs == n + 1), axis=0).max() * 0.4 for n in range(count)]
@@ -185,6 +188,9 @@ def check_both_sides(piece: TriangleMesh, how: Machine) -> tuple[TriangleMesh, R
     check_side(lying, removal.sides[0], removal, how, tabs)
     check_side(turned, removal.sides[1], removal, how, edge)
     assert held(turned, removal, how) == TABS
+    inside = np.isfinite(seen_from_above(turned, removal)[0])
+    left = tab_thicknesses(removal, inside, how.contour.cutter.diameter_mm)
+    assert left.min() >= THICK * how.contour.tab_height_mm
     return turned, removal
 
 
@@ -228,6 +234,11 @@ def test_a_steep_edge_that_rises_and_sinks_is_milled_without_steps():
     turned = turned_over(lying, BLOCK_MM, "length")
     check_side(turned, removal.sides[1], removal, how, edge_round(turned, removal))
     assert held(turned, removal, how) == TABS
+    inside = np.isfinite(seen_from_above(turned, removal)[0])
+    left = tab_thicknesses(removal, inside, how.contour.cutter.diameter_mm)
+    assert (left < THICK * how.contour.tab_height_mm).sum() == 1
+    (told,) = (note for note in plan.notes if "tabs stay thinner" in note)
+    assert "1 of 6 tabs stay thinner than the 2 mm" in told
 
 
 def test_the_origin_and_the_machines_axes_change_the_numbers_only():
