@@ -10,7 +10,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -25,29 +25,44 @@ BED_MM = 400.0
 
 @dataclass(frozen=True, eq=False)
 class Sliced:
-    """Moves of infill (n, 2, 3) in mm, their plastic (n,) in mm³, and the slicer's complaints."""
+    """Moves (n, 2, 3) in mm, their plastic (n,) in mm³, their kinds (n,), and complaints."""
 
     moves: npt.NDArray[np.float64]
     plastic_mm3: npt.NDArray[np.float64]
+    kinds: npt.NDArray[np.str_]
     complaints: tuple[str, ...]
 
+    def of(self, kind: str) -> Sliced:
+        """Return the moves of the kinds whose names end alike."""
+        chosen = np.char.endswith(self.kinds, kind)
+        return replace(
+            self,
+            moves=self.moves[chosen],
+            plastic_mm3=self.plastic_mm3[chosen],
+            kinds=self.kinds[chosen],
+        )
+
     def density_percent(self, low: Sequence[float], high: Sequence[float]) -> float:
-        """Return the share of a box that is filled; corners in mm, frame of the bed."""
-        start, end = self.moves[:, 0], self.moves[:, 1]
-        lengths = np.linalg.norm(end - start, axis=1)
-        counts = np.maximum(1, np.ceil(lengths / _PIECE_MM)).astype(int)
-        move = np.repeat(np.arange(len(counts)), counts)
-        first = np.repeat(np.cumsum(counts) - counts, counts)
-        share = (np.arange(len(move)) - first + 0.5) / counts[move]
-        places = start[move] + share[:, None] * (end - start)[move]
+        """Return the share of a box that is filled with infill; corners in mm, frame of the bed."""
+        places, plastic_mm3 = self.of("Internal infill").pieces()
         inside = ((places > low) & (places < high)).all(axis=1)
-        plastic = (self.plastic_mm3 / counts)[move][inside].sum()
+        plastic = plastic_mm3[inside].sum()
         layers = np.unique(places[inside, 2])
         if len(layers) < 2:
             return 0.0
         height = layers[-1] - layers[0] + np.diff(layers).min()
         area = (high[0] - low[0]) * (high[1] - low[1])
         return float(100 * plastic / (area * height))
+
+    def pieces(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """Return the middles (n, 3) of short pieces of the moves, and the plastic (n,) of each."""
+        start, end = self.moves[:, 0], self.moves[:, 1]
+        lengths = np.linalg.norm(end - start, axis=1)
+        counts = np.maximum(1, np.ceil(lengths / _PIECE_MM)).astype(int)
+        move = np.repeat(np.arange(len(counts)), counts)
+        first = np.repeat(np.cumsum(counts) - counts, counts)
+        share = (np.arange(len(move)) - first + 0.5) / counts[move]
+        return start[move] + share[:, None] * (end - start)[move], (self.plastic_mm3 / counts)[move]
 
 
 def sliced(path: Path, folder: Path, layer_mm: float = 0.3) -> Sliced | None:
@@ -59,30 +74,34 @@ def sliced(path: Path, folder: Path, layer_mm: float = 0.3) -> Sliced | None:
     call = subprocess.run(
         [PRUSA, "--export-gcode", "--dont-arrange", "--bed-shape", bed, "--center",
          f"{BED_MM / 2:g},{BED_MM / 2:g}", "--filament-diameter", "1.75", "--layer-height",
-         f"{layer_mm:g}", "--skirts", "0", "--output", str(out), str(path)],
+         f"{layer_mm:g}", "--first-layer-height", f"{layer_mm:g}", "--skirts", "0",
+         "--output", str(out), str(path)],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     said = (call.stdout + call.stderr).splitlines()
     wrong = [line for line in said if re.search(r"error|repair|empty layer|fault", line, re.I)]
     if call.returncode != 0 or not out.exists():
-        return Sliced(np.zeros((0, 2, 3)), np.zeros(0), (*wrong, f"exit {call.returncode}"))
-    listed = list(_infill(out))
+        return Sliced(
+            np.zeros((0, 2, 3)), np.zeros(0), np.zeros(0, "U1"), (*wrong, f"exit {call.returncode}")
+        )
+    listed, kinds = zip(*_moves(out), strict=True)
     moves = np.array([row[:6] for row in listed], float).reshape(-1, 2, 3)
     plastic = np.array([row[6] for row in listed], float) * _FILAMENT_MM2
-    return Sliced(moves, plastic, tuple(wrong))
+    return Sliced(moves, plastic, np.array(kinds), tuple(wrong))
 
 
-def _infill(path: Path) -> Iterator[tuple[float, ...]]:
-    """Yield start, end and length of filament of each move of internal infill."""
+def _moves(path: Path) -> Iterator[tuple[tuple[float, ...], str]]:
+    """Yield start, end and length of filament of each move that prints, and its kind."""
     at = {"X": 0.0, "Y": 0.0, "Z": 0.0, "E": 0.0}
-    is_infill = False
+    kind = ""
     for line in path.read_text().splitlines():
         if line.startswith(";TYPE:"):
-            is_infill = line == ";TYPE:Internal infill"
+            kind = line.removeprefix(";TYPE:")
         elif line.startswith(("G1 ", "G92 ")):
             before = dict(at)
             words = line.split(";")[0].split()[1:]
             at |= {word[0]: float(word[1:]) for word in words if word[0] in at}
             moved = (before["X"], before["Y"]) != (at["X"], at["Y"])
-            if is_infill and moved and at["E"] > before["E"]:
-                yield (*(before[a] for a in "XYZ"), *(at[a] for a in "XYZ"), at["E"] - before["E"])
+            if moved and at["E"] > before["E"]:
+                laid = at["E"] - before["E"]
+                yield (*(before[a] for a in "XYZ"), *(at[a] for a in "XYZ"), laid), kind

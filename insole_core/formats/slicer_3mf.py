@@ -69,11 +69,14 @@ class Modifier:
         In the frame of the file; reaches over the part's surface.
     name
         Tells the density, too, for programs that ignore the rest.
+    is_strip
+        Whether it is only a step between two zones.
     """
 
     mesh: TriangleMesh
     name: str
     infill: Infill
+    is_strip: bool = False
 
 
 @dataclass(frozen=True, eq=False)

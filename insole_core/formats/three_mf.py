@@ -39,7 +39,8 @@ _CONTENT_TYPES = (
     '<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">'
     '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.'
     'relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.'
-    '3dmanufacturing-3dmodel+xml"/></Types>\n'
+    '3dmanufacturing-3dmodel+xml"/>'
+    '<Default Extension="config" ContentType="application/xml"/></Types>\n'
 )
 _RELATIONS = (
     '<?xml version="1.0" encoding="UTF-8"?>\n'

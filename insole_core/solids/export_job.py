@@ -41,6 +41,7 @@ from insole_core.solids.checks import (
 from insole_core.solids.order import Part, nest_parts
 from insole_core.solids.part_outlines import block_outline, mark_text, outlines_of
 from insole_core.solids.prescription_paper import NOBODY, Responsible, write_prescription_paper
+from insole_core.solids.print_density import PrintedDensities
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.zone_bodies import ZonedPart, placed_print
 
@@ -82,15 +83,18 @@ class ExportPaths:
 
 @dataclass(frozen=True, eq=False)
 class Printing:
-    """A print for a certain slicer, with the zones of each side."""
+    """A print for a certain slicer, with the zones of each side and how dense they become."""
 
     printer: Printer
     zoned: Mapping[Side, ZonedPart]
+    densities: Mapping[Side, PrintedDensities]
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What is to be known of the zones, each sentence once."""
-        return tuple(dict.fromkeys(note for each in self.zoned.values() for note in each.notes))
+        of_zones = [note for each in self.zoned.values() for note in each.notes]
+        of_densities = [note for each in self.densities.values() for note in each.notes]
+        return tuple(dict.fromkeys((*of_zones, *of_densities)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -425,7 +429,7 @@ def _job_sheet(
         measures=_translated(_measures(part), say),
         make=_translated(_make(job, part), say),
         checks=tuple(f"{'✓' if f.passed else '✗'} {say(f.sentence)}" for f in placed.findings)
-        + tuple(map(say, (*part.notes, *_released(job, part)))),
+        + tuple(map(say, (*part.notes, *_printed_notes(job, part), *_released(job, part)))),
         warnings=tuple(map(say, part.warnings)),
         file=beside.solid,
         file_name=places.solid.name,
@@ -534,6 +538,8 @@ def _make(job: ExportJob, part: Part) -> dict[str, str]:
     }
     if part.insole.design.shell is None or part.order.kind == "positive":
         facts["draft of the walls"] = Message("{value:g}°", value=part.order.options.draft_deg)
+    if job.printing is not None:
+        facts |= job.printing.densities[part.side].facts
     if job.terms.remarks:
         facts["remarks"] = job.terms.remarks
     if job.block is not None:
@@ -543,6 +549,10 @@ def _make(job: ExportJob, part: Part) -> dict[str, str]:
 
 def _tolerance(job: ExportJob) -> Message:
     return Message("± {number} mm", number=number_message(job.shop.tolerance_mm, 2))
+
+
+def _printed_notes(job: ExportJob, part: Part) -> tuple[str, ...]:
+    return () if job.printing is None else job.printing.densities[part.side].notes
 
 
 def _released(job: ExportJob, part: Part) -> tuple[str, ...]:

@@ -22,6 +22,9 @@ FORMAT, VERSION = "insole-print-presets", 1
 LEAST_PERCENT, MOST_PERCENT = 5.0, 100.0
 """Densities that slicers print; below, the upper skin has nothing to lie on."""
 MOST_WALLS, MOST_LAYERS = 20, 50
+LAYERS_MM, USUAL_LAYER_MM = (0.05, 1.0), 0.2
+"""Least and greatest height of a layer, and that of a preset which names none."""
+USUAL_G_PER_CM3 = 1.2
 USUAL_WEIGHT_KG = 75.0
 """Where nobody has named a body weight."""
 Region: TypeAlias = Literal["heel", "arch", "forefoot"]
@@ -34,6 +37,9 @@ class PrintPreset:
 
     Parameters
     ----------
+    layer_mm, g_per_cm3
+        Height of the layers and mass of the material, by which the density and mass of what is
+        printed are told; the former is set in the slicer.
     densities
         (up to this body weight in kg, per cent) from light to heavy, by region, and as "rest" of
         what lies in no zone; the last one has no limit.
@@ -46,6 +52,8 @@ class PrintPreset:
     top_layers: int
     bottom_layers: int
     pattern: Pattern
+    layer_mm: float
+    g_per_cm3: float
     densities: Mapping[str, tuple[tuple[float, float], ...]]
     source: str = ""
 
@@ -96,7 +104,17 @@ def require_keys(content: JsonObject, known: tuple[str, ...]) -> None:
 def _preset(item: JsonObject) -> PrintPreset:
     require_keys(
         item,
-        ("name", "walls", "top_layers", "bottom_layers", "pattern", "density", "source"),
+        (
+            "name",
+            "walls",
+            "top_layers",
+            "bottom_layers",
+            "pattern",
+            "layer_mm",
+            "g_per_cm3",
+            "density",
+            "source",
+        ),
     )
     density = item.object("density")
     names = ("rest", *REGIONS)
@@ -107,6 +125,8 @@ def _preset(item: JsonObject) -> PrintPreset:
         item.integer("top_layers", 0, MOST_LAYERS),
         item.integer("bottom_layers", 0, MOST_LAYERS),
         item.choice("pattern", PATTERNS),
+        item.number("layer_mm", *LAYERS_MM) if item.has("layer_mm") else USUAL_LAYER_MM,
+        item.number("g_per_cm3", 0.1, 10) if item.has("g_per_cm3") else USUAL_G_PER_CM3,
         {name: _steps(density, name) for name in names},
         item.text("source", empty=True) if item.has("source") else "",
     )

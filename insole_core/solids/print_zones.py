@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
@@ -29,6 +29,8 @@ from insole_core.solids.print_presets import (
     MOST_PERCENT,
     MOST_WALLS,
     REGIONS,
+    USUAL_G_PER_CM3,
+    USUAL_LAYER_MM,
     USUAL_WEIGHT_KG,
     PrintPreset,
     read_print_presets,
@@ -86,6 +88,10 @@ class PrintPlan:
     ----------
     zones
         Where two overlap, the later one is obeyed.
+    layer_mm, g_per_cm3
+        Height of the layers and mass of the material, for what is told of the print.
+    graded
+        Whether the density changes in steps at the borders of zones.
     """
 
     walls: int
@@ -93,6 +99,9 @@ class PrintPlan:
     bottom_layers: int
     rest: Infill
     zones: tuple[Zone, ...]
+    layer_mm: float = USUAL_LAYER_MM
+    g_per_cm3: float = USUAL_G_PER_CM3
+    graded: bool = False
 
 
 def plan_of(
@@ -127,6 +136,8 @@ def plan_of(
         preset.bottom_layers,
         rest or Infill(preset.density_percent("rest", weight), preset.pattern),
         (*of_table, *zones),
+        preset.layer_mm,
+        preset.g_per_cm3,
     )
 
 
@@ -169,12 +180,14 @@ def read_zones(
     """
     root = JsonObject.read(path)
     root.check_format(FORMAT, VERSION)
-    require_keys(root, ("format", "version", "preset", "weight_kg", "walls", "rest", "zones"))
+    require_keys(
+        root, ("format", "version", "preset", "weight_kg", "walls", "rest", "graded", "zones")
+    )
     known = {preset.name: preset for preset in presets or read_print_presets()}
     preset = known[root.choice("preset", tuple(known))]
     zones = tuple(_zone(item, preset.pattern) for item in root.objects("zones"))
     _require_single(root, zones)
-    return plan_of(
+    plan = plan_of(
         preset,
         root.number("weight_kg", WEIGHT.least, WEIGHT.greatest)
         if root.has("weight_kg")
@@ -183,6 +196,7 @@ def read_zones(
         walls=root.integer("walls", 1, MOST_WALLS) if root.has("walls") else None,
         rest=_rest(root.object("rest"), preset.pattern) if root.has("rest") else None,
     )
+    return replace(plan, graded=root.flag("graded") if root.has("graded") else False)
 
 
 def _rest(item: JsonObject, pattern: Pattern) -> Infill:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from insole_core.errors import DesignError
 from insole_core.foot.landmarks import Landmarks, find_landmarks
-from insole_core.formats.slicer_3mf import Modifier, PrintedPart
+from insole_core.formats.slicer_3mf import Infill, Modifier, PrintedPart
 from insole_core.formats.solid_content import merged
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -36,6 +36,10 @@ LEAST_WIDTH_MM = 2 * LINE_MM
 _HEEL, _BEHIND_HEADS = 0.31, 0.08
 """Shares of the foot's length, as the regions of pressure have them (`pressure/regions.py`)."""
 _FAR_MM = 1000.0
+_STEPS, _STEP_MM = 3, 4.0
+"""Of a graded border: how many densities lie between those of two zones, and how wide each is."""
+_LEAST_APART = 5.0
+"""Densities in per cent that are nearer to each other are not graded."""
 _LEAST_MM3 = 1.0
 _LAYERS = ("cover", "shell", "base")
 
@@ -57,8 +61,11 @@ class ZonedPart:
 
 @dataclass(frozen=True, eq=False)
 class _Body:
+    """A zone with its body, and its plan where it is the same at all heights."""
+
     zone: Zone
     body: manifold3d.Manifold
+    plan: manifold3d.CrossSection | None
 
 
 def zoned_part(part: Part, plan: PrintPlan, pressure: PressureMap | None = None) -> ZonedPart:
@@ -93,11 +100,12 @@ def zoned_part(part: Part, plan: PrintPlan, pressure: PressureMap | None = None)
     for zone in plan.zones:
         if zone.side not in (None, part.side):
             continue
-        body = maker.body(zone)
+        area = maker.plan(zone)
+        body = maker.layer(zone) if area is None else maker.prism(area)
         within = body ^ maker.solid
         if within.volume() > _LEAST_MM3:
             _require_two_walls(within, zone)
-            bodies.append(_Body(zone, body))
+            bodies.append(_Body(zone, body, area))
         elif zone.kind in REGIONS:
             notes.append(Message("The insole does not reach the zone {zone}.", zone=_quoted(zone)))
         else:
@@ -107,12 +115,15 @@ def zoned_part(part: Part, plan: PrintPlan, pressure: PressureMap | None = None)
                 side=str(part.side),
             )
     notes += _overlaps(bodies, maker.solid)
-    modifiers = tuple(
-        Modifier(from_manifold(each.body), _named(each.zone), each.zone.infill) for each in bodies
-    )
+    modifiers: list[Modifier] = []
+    for number, each in enumerate(bodies):
+        if plan.graded:
+            modifiers += maker.graded(bodies[:number], each)
+        modifiers.append(Modifier(from_manifold(each.body), _named(each.zone), each.zone.infill))
     printed = PrintedPart(
-        part.solid, part.name, plan.walls, plan.top_layers, plan.bottom_layers, plan.rest, modifiers
-    )
+        part.solid, part.name, plan.walls, plan.top_layers, plan.bottom_layers, plan.rest,
+        tuple(modifiers),
+    )  # fmt: skip
     return ZonedPart(printed, tuple(notes))
 
 
@@ -214,21 +225,58 @@ class _BodyMaker:
             tuple(self._high[:2] - self._low[:2])
         ).translate(tuple(self._low[:2]))
 
-    def body(self, zone: Zone) -> manifold3d.Manifold:
-        """Return the body of a zone, within a box around the part."""
+    def plan(self, zone: Zone) -> manifold3d.CrossSection | None:
+        """Return the area of a zone that is the same at all heights; None of a layer."""
         if zone.kind in _LAYERS:
-            return self._layer(zone)
+            return None
         if zone.kind == "pad":
-            return self._prism(self._pads(zone))
+            return self._pads(zone)
         if zone.kind == "pressure":
-            return self._prism(self._pressed(zone))
-        return self._prism(_region(zone, find_landmarks(self._insole.foot)))
+            return self._pressed(zone)
+        return _region(zone, find_landmarks(self._insole.foot))
 
-    def _prism(self, plan: manifold3d.CrossSection) -> manifold3d.Manifold:
+    def graded(self, before: Sequence[_Body], last: _Body) -> Iterator[Modifier]:
+        """Yield strips around a zone in which the density of those below it goes over to its own.
+
+        Parameters
+        ----------
+        before
+            The zones that are obeyed less.
+        """
+        if last.plan is None:
+            return
+        over = manifold3d.CrossSection()
+        for each in reversed(before):
+            if each.plan is None:
+                continue
+            free = each.plan - over
+            over += each.plan
+            asked, wanted = (b.zone.infill.density_percent for b in (each, last))
+            if abs(asked - wanted) <= _LEAST_APART:
+                continue
+            for step in range(_STEPS, 0, -1):
+                round_ = manifold3d.JoinType.Round
+                strip = free ^ last.plan.offset(step * _STEP_MM, round_)
+                body = self.prism(strip)
+                if (body ^ self.solid).volume() <= _LEAST_MM3:
+                    continue
+                density = round(wanted + (asked - wanted) * step / (_STEPS + 1))
+                name = Message(
+                    "{zone} to {other} {density:g} %",
+                    zone=each.zone.name,
+                    other=last.zone.name,
+                    density=density,
+                )
+                infill = Infill(density, each.zone.infill.pattern)
+                yield Modifier(from_manifold(body), name, infill, is_strip=True)
+
+    def prism(self, plan: manifold3d.CrossSection) -> manifold3d.Manifold:
+        """Return the body over an area, within a box around the part."""
         height = float(self._high[2] - self._low[2])
         return (plan ^ self._around).extrude(height).translate((0.0, 0.0, float(self._low[2])))
 
-    def _layer(self, zone: Zone) -> manifold3d.Manifold:
+    def layer(self, zone: Zone) -> manifold3d.Manifold:
+        """Return the body of a layer of the design."""
         layers = self._insole.design.layers
         thickness = {"cover": layers.cover_mm, "shell": layers.shell_mm}
         if zone.kind != "base" and thickness[zone.kind] <= 0:
@@ -241,7 +289,7 @@ class _BodyMaker:
             raise _thin(zone)
         over = 0.0 if zone.kind == "cover" else layers.cover_mm
         under = over + layers.shell_mm if zone.kind != "cover" else layers.cover_mm
-        body = self._prism(self._around)
+        body = self.prism(self._around)
         if zone.kind == "base":
             return body ^ self._below(under) if under > 0 else body
         return (body ^ self._below(over) if over > 0 else body) - self._below(under)

@@ -27,7 +27,7 @@ _FORGOTTEN = (
     "both", "pseudonym", "text", "block", "own_materials", "terms", "printing", "milling",
     "release",
 )  # fmt: skip
-_OF_PRINT = ("printer", "preset", "zones", "file", "above_kpa", "pressed_percent")
+_OF_PRINT = ("printer", "preset", "zones", "file", "above_kpa", "pressed_percent", "graded")
 """Fields of a `PrintChoice` that are kept; the body weight is the patient's."""
 _OF_MILLING = {"machine": str | None, "both_sides": bool}
 _LIMITS = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal, TypeAlias
 
@@ -16,6 +16,7 @@ from insole_core.pressure.laid_map import PressureMap
 from insole_core.progress import SILENT, Progress
 from insole_core.solids.export_job import Printing
 from insole_core.solids.order import Part
+from insole_core.solids.print_density import printed_densities
 from insole_core.solids.print_presets import PrintPreset
 from insole_core.solids.print_zones import (
     PrintPlan,
@@ -46,6 +47,9 @@ class PrintChoice:
         From which pressure on another density is printed, and which.
     weight_kg
         In place of the body weight of the prescription; None for that one.
+    graded
+        Whether the density changes in steps at the borders of zones, also where a file of zones
+        does not say so.
     """
 
     printer: Printer = "prusaslicer"
@@ -55,6 +59,7 @@ class PrintChoice:
     above_kpa: float = 200.0
     pressed_percent: float = 10.0
     weight_kg: float | None = None
+    graded: bool = False
 
 
 def plan_print(
@@ -90,7 +95,7 @@ def plan_print(
         )
         plan = plan_of(preset, weight_kg, (pressed,) if choice.zones == "pressure" else ())
     require_printable(plan, choice.printer)
-    return plan
+    return replace(plan, graded=plan.graded or choice.graded)
 
 
 def zoned_print(
@@ -115,13 +120,16 @@ def zoned_print(
         As for `plan_print`.
     Cancelled
     """
-    zoned = {}
+    zoned, densities = {}, {}
     for number, part in enumerate(parts):
         progress.step(number / len(parts), "Making the zones")
         shell = part.insole.design.shell
         plan = plan_print(choice, presets, None if shell is None else shell.body_weight_kg)
-        zoned[part.side] = zoned_part(part, plan, maps.get(part.side))
-    return Printing(choice.printer, zoned)
+        made = zoned_part(part, plan, maps.get(part.side))
+        progress.step((number + 0.5) / len(parts), "Weighing the print")
+        zoned[part.side] = made
+        densities[part.side] = printed_densities(made.printed, plan.layer_mm, plan.g_per_cm3)
+    return Printing(choice.printer, zoned, densities)
 
 
 def pressure_maps(feet: Sequence[FootRecord]) -> dict[Side, PressureMap]:

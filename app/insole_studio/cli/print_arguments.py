@@ -35,6 +35,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--print-presets", type=Path, metavar="presets.json", help="the clinic's own table"
     )
     group.add_argument(
+        "--graded", action="store_true", default=None,
+        help="change the density in steps at the borders of zones",
+    )  # fmt: skip
+    group.add_argument(
         "--pressure-of", type=Path, metavar="CASE", help="case whose map of pressures zones follow"
     )
 
@@ -44,7 +48,7 @@ def check(arguments: argparse.Namespace) -> None:
     from insole_core.solids.export_job import require_3mf
 
     if arguments.printer is None:
-        for name in ("zones", "print_preset", "print_presets", "pressure_of"):
+        for name in ("zones", "print_preset", "print_presets", "graded", "pressure_of"):
             if getattr(arguments, name) is not None:
                 option = f"--{name.replace('_', '-')}"
                 raise UsageError(f"{option} is for a print; name the program with --printer.")
@@ -90,9 +94,11 @@ def printing(parts: Sequence[Part], arguments: argparse.Namespace) -> Printing |
 def _choice(arguments: argparse.Namespace) -> PrintChoice:
     from insole_core.workflows.print_order import PrintChoice
 
+    graded = bool(arguments.graded)
     if arguments.zones is None:
-        return PrintChoice(arguments.printer, arguments.print_preset)
-    return PrintChoice(arguments.printer, zones="file", file=str(arguments.zones))
+        return PrintChoice(arguments.printer, arguments.print_preset, graded=graded)
+    file = str(arguments.zones)
+    return PrintChoice(arguments.printer, zones="file", file=file, graded=graded)
 
 
 def _maps(case: Path | None) -> dict[Side, PressureMap]:

@@ -4500,6 +4500,14 @@
             <translation>Väntar tills säkerhetskopieringen har stannat</translation>
         </message>
         <message>
+            <source>Walls and solid layers make the print denser than its infill ({zones}); where it has to be softer, take a preset with fewer of them, or make the insole thicker.</source>
+            <translation>Väggar och täta lager gör utskriften tätare än dess fyllning ({zones}); där den måste vara mjukare, välj en utskrift med färre av dem, eller gör inlägget tjockare.</translation>
+        </message>
+        <message>
+            <source>Weighing the print</source>
+            <translation>Väger utskriften</translation>
+        </message>
+        <message>
             <source>Weight (kg)</source>
             <translation>Vikt (kg)</translation>
         </message>
@@ -7172,6 +7180,10 @@
             <translation>upplösningen på fotens yta (mm)</translation>
         </message>
         <message>
+            <source>rest</source>
+            <translation>resten</translation>
+        </message>
+        <message>
             <source>restored</source>
             <translation>återställd</translation>
         </message>
@@ -7918,6 +7930,10 @@
         <message>
             <source>with a residual of {residual:.2f} mm</source>
             <translation>med en restavvikelse på {residual:.2f} mm</translation>
+        </message>
+        <message>
+            <source>with walls and solid layers of {layer:g} mm</source>
+            <translation>med väggar och täta lager om {layer:g} mm</translation>
         </message>
         <message>
             <source>worst: {markers}</source>
@@ -9248,6 +9264,10 @@
             <translation>{path}: {reason}</translation>
         </message>
         <message>
+            <source>{percent:.0f} %, {mass:.1f} g</source>
+            <translation>{percent:.0f} %, {mass:.1f} g</translation>
+        </message>
+        <message>
             <source>{pictures} pictures show enough markers and {markers} markers are seen twice; take at least {least} pictures (better 15) from all sides.</source>
             <translation>{pictures} bilder visar tillräckligt många markörer och {markers} markörer syns två gånger; ta minst {least} bilder (helst 15) från alla håll.</translation>
         </message>
@@ -9648,8 +9668,16 @@
             <translation>{works} (SHA-256 {digest})</translation>
         </message>
         <message>
+            <source>{zone} to {other} {density:g} %</source>
+            <translation>{zone} till {other} {density:g} %</translation>
+        </message>
+        <message>
             <source>{zone} {density:g} %</source>
             <translation>{zone} {density:g} %</translation>
+        </message>
+        <message>
+            <source>{zone}: {percent:.0f} %</source>
+            <translation>{zone}: {percent:.0f} %</translation>
         </message>
         <message>
             <source>± {number} mm</source>

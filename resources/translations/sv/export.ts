@@ -184,6 +184,10 @@
             <translation>Efter tryckkartan</translation>
         </message>
         <message>
+            <source>Graded borders</source>
+            <translation>Stegvisa gränser</translation>
+        </message>
+        <message>
             <source>Height in the shoe</source>
             <translation>Höjd i skon</translation>
         </message>
@@ -518,6 +522,10 @@
         <message>
             <source>The block is turned over onto dowels, and the underside is milled too</source>
             <translation>Blocket vänds på styrpinnar, och undersidan fräses också</translation>
+        </message>
+        <message>
+            <source>The density changes in three steps of 4 mm where two zones meet, not at once</source>
+            <translation>Tätheten ändras i tre steg om 4 mm där två zoner möts, inte på en gång</translation>
         </message>
         <message>
             <source>The insoles of both feet in one order</source>

@@ -26,6 +26,7 @@ from insole_core.pressure.laid_map import Placement, PressureMap
 from insole_core.solids.export_job import standing
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.order import Order, Part, make_part
+from insole_core.solids.print_density import printed_densities
 from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.print_zones import PrintPlan, Zone, plan_of, read_zones, require_printable
 from insole_core.solids.simplification import to_manifold
@@ -169,7 +170,8 @@ def test_zones_file(tmp_path):
         {"zone": "pad", "pad": "pelott", "density_percent": 40, "pattern": "grid", "side": "left"},
     ]
     rest = {"density_percent": 30}
-    read = read_zones(zones_file(tmp_path / "z.json", walls=4, rest=rest, zones=zones))
+    read = read_zones(zones_file(tmp_path / "z.json", walls=4, rest=rest, zones=zones, graded=True))
+    assert (read.graded, read.layer_mm, read.g_per_cm3) == (True, 0.2, 1.2)
     assert (read.walls, read.rest) == (4, Infill(30, "gyroid"))
     assert [each.name for each in read.zones] == ["arch", "forefoot", "heel", "pelott"]
     assert read.zones[3] == Zone("pad", Infill(40, "grid"), pad="pelott", side=Side.LEFT)
@@ -291,13 +293,53 @@ def test_prusaslicer_prints_each_zone_at_its_density(left_foot, tmp_path):
     printed = replace(printed, infill=Infill(5, "grid"), walls=1, top_layers=1, bottom_layers=1)
     path = tmp_path / "zones.3mf"
     half = np.diag([0.5, 0.5, 0.5, 1.0])
-    write_slicer_3mf([placed_print(printed, half @ standing(part.solid))], path, "prusaslicer")
+    placed = placed_print(printed, half @ standing(part.solid))
+    write_slicer_3mf([placed], path, "prusaslicer")
     result = sliced(path, tmp_path, layer_mm=0.35)
     if result is None:
         pytest.skip("the program prusa-slicer is not installed")
     assert result.complaints == ()
+    told = printed_densities(placed, 0.35, 1.0)
+    mass_mm3 = 1000 * sum(each.mass_g for each in told.zones)
+    assert mass_mm3 == pytest.approx(result.plastic_mm3.sum(), rel=0.05)
     middle = part.solid.bounds_mm.mean(axis=0)[:2]
     for share, asked in ((0.15, 15), (0.45, 40)):
         at = (np.array([0.0, share * left_foot.length_mm]) - middle) / 2 + BED_MM / 2
         density = result.density_percent([*(at - 6), 0.8], [*(at + 6), 3.8])
         assert density == pytest.approx(asked, rel=0.15)
+    # No wall stands on the border between two zones, where the patient would feel it.
+    walls, _ = result.of("erimeter").pieces()
+    border_mm = (np.array([0.0, 0.31 * left_foot.length_mm]) - middle) / 2 + BED_MM / 2
+    beside = np.abs(walls[:, :2] - border_mm) < [8.0, 2.0]
+    assert len(walls) > 1000
+    assert not (beside.all(axis=1) & (walls[:, 2] > 0.8) & (walls[:, 2] < 3.8)).any()
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_every_file_of_the_archive_has_its_type_and_zones_have_no_walls(files, printer):
+    types = xml_of(files[printer], "[Content_Types].xml")
+    known = {each.attrib["Extension"] for each in types}
+    with zipfile.ZipFile(files[printer]) as archive:
+        names = archive.namelist()
+        texts = [archive.read(name).decode() for name in names if name.startswith("Metadata/")]
+    assert {name.rsplit(".", 1)[-1] for name in names[1:]} <= known
+    for text in texts:
+        zones = text.split("heel 15 %")[1:]
+        assert len(zones) == 2
+        assert not any("wall_loops" in each.split("</object>")[0] for each in zones)
+        assert not any("perimeters" in each.split("</object>")[0] for each in zones)
+
+
+def test_graded_borders_are_strips_between_the_densities(part):
+    zones = (zone("heel", 20), zone("arch", 40))
+    printed = zoned_part(part, replace(plan(*zones), graded=True)).printed
+    names = [str(each.name) for each in printed.modifiers]
+    assert names == [
+        "heel 20 %", "heel to arch 25 %", "heel to arch 30 %", "heel to arch 35 %", "arch 40 %",
+    ]  # fmt: skip
+    heel, *strips, arch = (to_manifold(each.mesh) for each in printed.modifiers)
+    reach = [arch.bounding_box()[1] - strip.bounding_box()[1] for strip in strips]
+    assert reach == pytest.approx([12.0, 8.0, 4.0], abs=0.1)
+    assert all((strip - heel).volume() < 1 for strip in strips)
+    alike = zoned_part(part, replace(plan(zone("heel", 20), zone("arch", 24)), graded=True))
+    assert len(alike.printed.modifiers) == 2

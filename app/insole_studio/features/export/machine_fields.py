@@ -84,6 +84,10 @@ class MachineFields(QObject):
         self.above.setToolTip(tr("Pressure from which on a place gets a density of its own"))
         self.pressed.setToolTip(tr("How much of the print is filled at these places"))
         self.file = QPushButton()
+        self.graded = QCheckBox(tr("Graded borders"))
+        self.graded.setToolTip(
+            tr("The density changes in three steps of 4 mm where two zones meet, not at once")
+        )
         self.both_sides = QCheckBox(tr("Mill both sides"))
         self.both_sides.setToolTip(
             tr("The block is turned over onto dowels, and the underside is milled too")
@@ -103,7 +107,8 @@ class MachineFields(QObject):
             (tr("Made on"), self.made_on), ("", self.files), ("", self.both_sides),
             (tr("Print preset"), self.preset), (tr("Zones"), self.zones), ("", self.file),
             (tr("Body weight"), self.weight), (tr("Above"), self.above),
-            (tr("Density there"), self.pressed), ("", self.facts), ("", self.error),
+            (tr("Density there"), self.pressed), ("", self.graded), ("", self.facts),
+            ("", self.error),
         ]  # fmt: skip
 
     def show_machines(self, machines: Machines) -> None:
@@ -135,6 +140,8 @@ class MachineFields(QObject):
         self.zones.show_value(how.zones)
         self.above.show_value(how.above_kpa)
         self.pressed.show_value(how.pressed_percent)
+        with QSignalBlocker(self.graded):
+            self.graded.setChecked(how.graded)
         self.file.setText(
             visible_line(Path(how.file).name) if how.file else tr("Choose a file of zones…")
         )
@@ -159,6 +166,7 @@ class MachineFields(QObject):
             self.weight: is_print and zones != "file",
             self.above: is_print and zones == "pressure",
             self.pressed: is_print and zones == "pressure",
+            self.graded: is_print,
             self.facts: bool(self.facts.text()),
             self.error: bool(self.error.text()),
         }
@@ -178,6 +186,7 @@ class MachineFields(QObject):
             above_kpa=self.above.value(),
             pressed_percent=self.pressed.value(),
             weight_kg=self._print.weight_kg,
+            graded=self.graded.isChecked(),
         )
 
     def milling(self) -> MillingChoice | None:
@@ -232,6 +241,7 @@ class MachineFields(QObject):
             field.edited.connect(self._pass_on)
         self.weight.edited.connect(self._edit_weight)
         self.both_sides.toggled.connect(self._pass_on)
+        self.graded.toggled.connect(self._pass_on)
         self.file.clicked.connect(self.zones_file_requested)
 
     def _edit_weight(self, weight_kg: float) -> None:

@@ -218,10 +218,16 @@ class MachinePresenter:
 
 
 def _facts_of_print(printing: Printing) -> list[str]:
-    """Return the shell of a print."""
+    """Return the shell of a print, and how dense and heavy its zones become."""
     made = next(iter(printing.zoned.values())).printed
     text = tr("{walls} walls, {top} layers above and {bottom} below")
-    return [fill(text, walls=made.walls, top=made.top_layers, bottom=made.bottom_layers)]
+    said = [fill(text, walls=made.walls, top=made.top_layers, bottom=made.bottom_layers)]
+    for side, densities in printing.densities.items():
+        if len(printing.densities) > 1:
+            said.append(tr("Left") if side is Side.LEFT else tr("Right"))
+        for name, density in densities.facts.items():
+            said.append(f"{translate_core_message(name)}: {translate_core_message(density)}")
+    return said
 
 
 def _facts_of_program(plan: MillingPlan) -> list[str]:

@@ -170,6 +170,8 @@ def test_zones_are_drawn_and_a_typed_weight_holds_without_enter(
     settle()
     assert stage.view.swatches.texts == ("heel 20 %", "arch 32 %", "forefoot 18 %")
     assert "2 walls" in form.machine.facts.text()
+    assert "With walls and solid layers of 0.2 mm: " in form.machine.facts.text()
+    assert "denser than its infill (heel 20 %: " in form.machine.error.text()
     assert not form.format.isEnabled()
     asker.answer = tmp_path / "anna.3mf"
     form.machine.weight.setFocus()
@@ -284,7 +286,7 @@ def test_bad_zones_are_told_beside_the_fields(
     asker.answer.write_text(json.dumps(zones | {"weight_kg": 60}))
     fields.file.click()
     settle()
-    assert fields.error.text() == ""
+    assert fields.error.text().startswith("Walls and solid layers make the print denser")
     assert "4 walls" in fields.facts.text()
     assert np.isfinite(stage.presenter.parts[0].solid.vertices).all()
 
