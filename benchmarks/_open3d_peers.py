@@ -13,7 +13,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import inverse
 from insole_core.reconstruct.fusion.depth_view import DepthView
-from insole_core.reconstruct.fusion.smoothing import smooth_depth
+from insole_core.reconstruct.fusion.prepared_view import smooth_depth
 
 Peer = Callable[[list[DepthView]], TriangleMesh]
 

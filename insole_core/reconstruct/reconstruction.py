@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from threading import Lock
 from typing import Any, Generic, Protocol, TypeVar
 
 from insole_core.errors import ReconstructionError
@@ -26,7 +29,6 @@ from insole_core.reconstruct.result import (
     refused_result,
 )
 from insole_core.reconstruct.shared_views import Register
-from insole_core.reconstruct.stopwatch import Stopwatch
 from insole_core.reconstruct.views.coloring import color_points
 from insole_core.reconstruct.views.foot_coverage import coverage_of
 from insole_core.reconstruct.views.measured_view import (
@@ -56,6 +58,25 @@ from insole_core.recording.hand_edits import ViewEdits
 from insole_core.recording.session import Session, View
 
 _Part = TypeVar("_Part")
+
+
+@dataclass
+class _Stopwatch:
+    """The total seconds of named steps, over all threads."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+    _lock: Lock = field(default_factory=Lock, repr=False)
+
+    @contextmanager
+    def measuring(self, step: str) -> Iterator[None]:
+        """Add the time spent inside the context to `step`."""
+        start = time.perf_counter()
+        try:
+            yield
+        finally:
+            spent = time.perf_counter() - start
+            with self._lock:
+                self.seconds[step] = self.seconds.get(step, 0.0) + spent
 
 
 def reconstruct(
@@ -106,7 +127,7 @@ def reconstruct(
     def found(measured: MeasuredView, edits: ViewEdits) -> Registration:
         return measured.register(session.manifest.reference_system, limits, edits)
 
-    return _Chain(session, way, register or found, Stopwatch()).run(progress)
+    return _Chain(session, way, register or found, _Stopwatch()).run(progress)
 
 
 class _Way(Protocol[_Part]):
@@ -205,7 +226,7 @@ class _Chain(Generic[_Part]):
     session: Session
     way: _Way[_Part]
     register: Register
-    clock: Stopwatch
+    clock: _Stopwatch
 
     def run(self, progress: Progress) -> Reconstruction:
         """Register all views, then join them."""

@@ -24,8 +24,8 @@ from insole_core.reconstruct.parallel import both, for_views
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.reconstruct.result import refused_result
 from insole_core.reconstruct.shared_views import SharedViews
+from insole_core.reconstruct.views.foot_coverage import ViewConsistency, view_consistency
 from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view, used_result
-from insole_core.reconstruct.views.view_consistency import ViewConsistency, view_consistency
 from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits

@@ -9,8 +9,7 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.surface_nets import surface_nets
-from insole_core.reconstruct.fusion.prepared_view import PreparedView
-from insole_core.reconstruct.fusion.smoothing import SmoothDepth
+from insole_core.reconstruct.fusion.prepared_view import PreparedView, SmoothDepth
 from insole_core.reconstruct.parallel import for_views
 
 _BLOCK_CELLS = 2

@@ -14,11 +14,10 @@ from insole_core.geometry.mesh_graph import in_large_pieces, relaxed
 from insole_core.geometry.mesh_resolution import subdivided
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.contour_fit import bend_to, drawn_to, lies_before, touches_of
-from insole_core.reconstruct.fusion.correction_map import corrections_mm
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
 from insole_core.reconstruct.fusion.occluding_contour import OccludingContour
-from insole_core.reconstruct.fusion.prepared_view import PreparedView
+from insole_core.reconstruct.fusion.prepared_view import PreparedView, corrections_mm
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
 from insole_core.reconstruct.fusion.silhouette import is_beside
 from insole_core.reconstruct.fusion.texture import color_vertices

@@ -1,4 +1,4 @@
-"""The surface measured by one view, as a lattice of points in the order of the depth image."""
+"""The surface measured by one view, as a lattice in the order of the depth image; and for display."""
 
 from __future__ import annotations
 
@@ -9,10 +9,15 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IndexArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import transform
+from insole_core.reconstruct.views.measured_view import MeasuredView
+from insole_core.reconstruct.volume import is_inside
+from insole_core.recording.box import Box
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
 _LONGEST_EDGE_PIXELS = 5.0
 _SMALLEST_PIECE = 0.01
+_STEP = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,3 +158,31 @@ def _pieces(triangles: IndexArray, shape: tuple[int, ...]) -> IndexArray:
     drawing[2 * v, 2 * u] = 1
     _, labels = cv2.connectedComponents(drawing, connectivity=4, ltype=cv2.CV_32S)
     return np.asarray(labels[2 * v[:, 0], 2 * u[:, 0]])
+
+
+def view_mesh(
+    measured: MeasuredView, sensor2reference: FloatArray, box: Box, rgb: tuple[int, int, int]
+) -> TriangleMesh:
+    """Mesh every second reading of a view inside a volume, in one colour.
+
+    Parameters
+    ----------
+    measured
+    sensor2reference : (4, 4) float64, mm
+        Pose of the depth camera.
+    box
+        The volume of interest, reference frame.
+    rgb
+        Colour of every vertex.
+
+    Returns
+    -------
+    TriangleMesh, mm, reference frame
+    """
+    camera = measured.view.sensor.depth_camera
+    points = measured.points[::_STEP, ::_STEP]
+    placed = transform(sensor2reference, points)
+    edges = _STEP * longest_edges(points[..., 2], camera.fx)
+    triangles = triangulate(placed, is_inside(placed, box), edges)
+    colors = np.broadcast_to(np.array(rgb, dtype=np.uint8), placed.shape)
+    return join([RangeMesh(placed, triangles, colors, sensor2reference, camera)])

@@ -10,9 +10,9 @@ import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
+from insole_core.reconstruct.views.foot_coverage import view_consistency
 from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view
-from insole_core.reconstruct.views.view_consistency import view_consistency
-from insole_core.reconstruct.views.view_mesh import view_mesh
+from insole_core.reconstruct.views.range_mesh import view_mesh
 from insole_core.reconstruct.volume import is_inside, volume_of_interest
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session

@@ -11,7 +11,7 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.side import Side
 from insole_core.reconstruct import RegistrationLimits
 from insole_core.reconstruct.fusion.depth_view import read_volume
-from insole_core.reconstruct.views.view_consistency import view_consistency
+from insole_core.reconstruct.views.foot_coverage import view_consistency
 from insole_core.workflows.make_foot import (
     MadeFoot,
     MeasuredSession,

@@ -19,7 +19,7 @@ from insole_core.geometry.transforms import rigid
 from insole_core.progress import Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
 from insole_core.reconstruct.parallel import both, for_views
-from insole_core.reconstruct.views.view_mesh import view_mesh
+from insole_core.reconstruct.views.range_mesh import view_mesh
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.visible_text import visible_line

@@ -9,10 +9,8 @@ import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rigid
-from insole_core.reconstruct.fusion.correction_map import corrections_mm
 from insole_core.reconstruct.fusion.depth_view import DepthView
-from insole_core.reconstruct.fusion.prepared_view import PreparedView
-from insole_core.reconstruct.fusion.smoothing import smooth_depth
+from insole_core.reconstruct.fusion.prepared_view import PreparedView, corrections_mm, smooth_depth
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from insole_core.reconstruct.fusion.lab_color import rgb2lab
+from insole_core.reconstruct.fusion.silhouette import rgb2lab
 
 
 def test_colors_are_those_of_opencv() -> None:
