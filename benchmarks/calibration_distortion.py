@@ -21,8 +21,7 @@ import numpy as np
 from insole_core.calibration.walls.captures import read_captures
 from insole_core.calibration.walls.distortion import calibrate_distortion
 from insole_core.calibration.walls.wall_plane import expected_raw, plane_rows
-from insole_core.evaluation.leave_one_out import leave_one_out
-from insole_core.evaluation.wall import WallError
+from insole_core.evaluation.wall import WallError, leave_one_out
 from insole_core.recording.images import encode_png
 from insole_core.sensing.sensor import BURRUS
 from insole_core.sensing.sensor import DEPTH_CAMERA as CAMERA

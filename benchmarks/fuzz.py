@@ -460,8 +460,8 @@ def _other_json(rng: random.Random) -> Iterator[Trial]:
         load_reference_system,
     )
     from insole_core.compare.best_fit import fit_points, read_picked_points
-    from insole_core.evaluation.acceptance_limits import load_limits
-    from insole_core.evaluation.marked_points import load_correspondences, load_object_points
+    from insole_core.evaluation.color_points import load_correspondences, load_object_points
+    from insole_core.evaluation.report import load_limits
     from insole_core.foot.landmarks import find_landmarks
     from insole_core.geometry.side import Side
     from insole_core.insole.clinic_rules import load_rules

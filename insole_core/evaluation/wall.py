@@ -1,17 +1,23 @@
-"""Error of a flat wall over distance, before and after correction (thesis 5.2, figure 11)."""
+"""Error of a flat wall over distance, each corrected or not, with pictures (thesis 5.2, figure 11)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from insole_core.calibration.walls.captures import WallCapture
-from insole_core.calibration.walls.wall_plane import plane_rows
+from insole_core.calibration.walls.distortion import calibrate_distortion
+from insole_core.calibration.walls.thesis_maps import cubic_map, mean_map
+from insole_core.calibration.walls.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError
+from insole_core.evaluation.report import Plot
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.progress import SILENT, Progress
 from insole_core.sensing.disparity import DisparityModel
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
@@ -20,6 +26,9 @@ _ROUNDS = 4
 _COARSE_STEP = 4
 _LEAST_POINTS = 100
 _CENTRE = (slice(238, 243), slice(318, 323))
+_SHOWN = 3
+_LEAST_WALLS = 5
+"""Algorithm 2 fits a cubic, which takes four other walls."""
 
 
 class Correction(Protocol):
@@ -187,3 +196,103 @@ def _plane(
     centre = points.mean(0)
     apart = points - centre
     return centre, np.linalg.eigh(apart.T @ apart)[1][:, 0]
+
+
+def wall_pictures(
+    captures: Sequence[WallCapture],
+    corrections: Mapping[str, Correction],
+    camera: PinholeCamera,
+    disparity: DisparityModel,
+) -> tuple[Plot, ...]:
+    """Plot the first, the middle and the last capture, each with every correction.
+
+    A wall is shown by its distance from its best-fitting plane; the scale is the same in all
+    pictures of a capture, and white is flat.
+
+    Parameters
+    ----------
+    corrections
+        By name, which is the title of a picture.
+    camera
+        The depth camera.
+    disparity
+        Converts raw numbers to depth.
+
+    Raises
+    ------
+    CalibrationError
+        If a capture shows no wall.
+    """
+    chosen = np.unique(np.linspace(0, len(captures) - 1, _SHOWN).round().astype(int)).tolist()
+    plots = []
+    for capture in (captures[i] for i in chosen):
+        images = {
+            name: wall_deviation_mm(capture, correction, camera, disparity)
+            for name, correction in corrections.items()
+        }
+        title = f"{capture.name}: distance from a flat wall, mm"
+        plots.append(Plot(title, partial(_draw, images=images)))
+    return tuple(plots)
+
+
+def _draw(figure: Figure, images: Mapping[str, FloatArray]) -> None:
+    limit = max(float(np.nanpercentile(np.abs(image), 98)) for image in images.values())
+    panels = np.atleast_1d(figure.subplots(1, len(images), sharey=True))
+    for axes, (name, image) in zip(panels, images.items(), strict=True):
+        shown = axes.imshow(image, vmin=-limit, vmax=limit, cmap="RdBu_r")
+        axes.set_title(name)
+    figure.colorbar(shown, ax=list(panels), shrink=0.7)
+
+
+def leave_one_out(
+    captures: Sequence[WallCapture],
+    camera: PinholeCamera,
+    disparity: DisparityModel,
+    progress: Progress = SILENT,
+) -> dict[str, list[WallError]]:
+    """Correct every capture by a fit to all the others, and measure the remaining error.
+
+    Parameters
+    ----------
+    captures
+        Of one device.
+    camera
+        The depth camera.
+    disparity
+        Converts raw numbers to depth.
+
+    Returns
+    -------
+    dict
+        The errors in the order of `captures`, by correction: raw, the two algorithms of the
+        thesis (given the fitted plane, because walls need not be perpendicular), the default.
+
+    Raises
+    ------
+    CalibrationError
+        If there are fewer than five captures.
+    """
+    if len(captures) < _LEAST_WALLS:
+        raise CalibrationError(
+            "Leaving one wall out needs captures at {least} distances or more, but there are "
+            "{count}; capture more.",
+            least=_LEAST_WALLS,
+            count=len(captures),
+        )
+    rows = plane_rows(camera)
+    walls = [fit_wall(capture, rows, disparity) for capture in captures]
+    errors: dict[str, list[WallError]] = {}
+    for i, capture in enumerate(captures):
+        progress.step(i / len(captures), "Calibrating without {capture}", capture=capture.name)
+        others = [*walls[:i], *walls[i + 1 :]]
+        default = calibrate_distortion([wall.capture for wall in others], camera, disparity)
+        corrections: dict[str, Correction] = {
+            "raw": NoCorrection(),
+            "algorithm 1": mean_map(others),
+            "algorithm 2": cubic_map(others, disparity),
+            "default": default.correction,
+        }
+        for name, correction in corrections.items():
+            error = wall_error(capture, correction, camera, disparity)
+            errors.setdefault(name, []).append(error)
+    return errors

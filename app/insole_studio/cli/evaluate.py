@@ -54,7 +54,7 @@ def _leave_one_out(
     captures: list[WallCapture], sensor: Sensor, progress: Progress
 ) -> ReportSection:
     from insole_core.evaluation.evaluation_sections import wall_section
-    from insole_core.evaluation.leave_one_out import leave_one_out
+    from insole_core.evaluation.wall import leave_one_out
 
     section = wall_section(leave_one_out(captures, sensor.depth_camera, sensor.disparity, progress))
     return replace(section, title="Error of a flat wall, each corrected from the others")
@@ -64,8 +64,7 @@ def _before_and_after(
     captures: list[WallCapture], sensor: Sensor, progress: Progress
 ) -> ReportSection:
     from insole_core.evaluation.evaluation_sections import wall_section
-    from insole_core.evaluation.wall import NoCorrection, wall_errors
-    from insole_core.evaluation.wall_pictures import wall_pictures
+    from insole_core.evaluation.wall import NoCorrection, wall_errors, wall_pictures
 
     progress.step(0.0, "Measuring the walls")
     corrections: dict[str, Correction] = {"raw": NoCorrection()}
@@ -168,8 +167,7 @@ def _run_artefact(arguments: argparse.Namespace, progress: Progress) -> None:
     """Detect spheres and plates, measure them, and check the limits."""
     check_reports(arguments)
     from insole_core.calibration.walls.captures import read_captures
-    from insole_core.evaluation.artefact import evaluate_artefact
-    from insole_core.evaluation.artefact_points import plate_points, sphere_points
+    from insole_core.evaluation.artefact import evaluate_artefact, plate_points, sphere_points
     from insole_core.evaluation.evaluation_sections import artefact_section
     from insole_core.workflows.calibration.wall_steps import check_recorded_with
 

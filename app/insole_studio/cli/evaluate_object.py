@@ -15,8 +15,8 @@ from insole_studio.cli.report_arguments import add_evaluation_arguments, check_r
 from insole_studio.cli.sensor_arguments import evaluated_sensor
 
 if TYPE_CHECKING:
+    from insole_core.evaluation.color_points import ObjectPoints
     from insole_core.evaluation.distances import DistanceError, ObjectEvaluation
-    from insole_core.evaluation.marked_points import ObjectPoints
     from insole_core.sensing.sensor import Sensor
 
 NAME = "object"
@@ -82,8 +82,8 @@ def _measure_points(
     arguments: argparse.Namespace, sensor: Sensor, progress: Progress
 ) -> ObjectEvaluation:
     from insole_core.calibration.walls.captures import capture_from_frames, read_frames
+    from insole_core.evaluation.color_points import load_object_points
     from insole_core.evaluation.distances import evaluate_object
-    from insole_core.evaluation.marked_points import load_object_points
     from insole_core.workflows.calibration.steps import depth_images
 
     points = load_object_points(arguments.points)
@@ -103,8 +103,8 @@ def _measure_spots(
     from insole_core.calibration.boards.board import read_color
     from insole_core.calibration.boards.boards_in_depth import read_depth_beside
     from insole_core.errors import CalibrationError
+    from insole_core.evaluation.color_points import measure_spots
     from insole_core.evaluation.distances import evaluate_object, summarise
-    from insole_core.evaluation.object_spots import measure_spots
     from insole_core.workflows.calibration.steps import COLOR, board_pictures
 
     distances: list[DistanceError] = []

@@ -11,8 +11,7 @@ from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.sensor_arguments import add_evaluated_sensor
 
 if TYPE_CHECKING:
-    from insole_core.evaluation.acceptance_limits import Limits
-    from insole_core.evaluation.report import ReportSection
+    from insole_core.evaluation.report import Limits, ReportSection
 
 BUNDLED = Path("limits of the product")
 """Stands for the bundled limits."""
@@ -71,8 +70,7 @@ def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace)
         When a limit is exceeded; the reports are written nevertheless.
     InsoleError
     """
-    from insole_core.evaluation.acceptance_limits import judged
-    from insole_core.evaluation.report import section_lines
+    from insole_core.evaluation.report import judged, section_lines
     from insole_core.workflows.calibration.report_files import make_report, write_reports
 
     section = judged(section, _limits_of(arguments, section.key))
@@ -87,7 +85,7 @@ def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace)
 
 
 def _limits_of(arguments: argparse.Namespace, section: str) -> Limits:
-    from insole_core.evaluation.acceptance_limits import bundled_limits_path, load_limits
+    from insole_core.evaluation.report import bundled_limits_path, load_limits
 
     path: Path | None = arguments.limits
     limits = {} if path is None else load_limits(bundled_limits_path() if path == BUNDLED else path)

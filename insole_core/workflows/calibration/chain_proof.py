@@ -15,7 +15,7 @@ from insole_core.evaluation.chain import (
     Correction,
     evaluate_chain,
 )
-from insole_core.evaluation.chain_verdict import Verdict, judge
+from insole_core.evaluation.chain_section import Verdict, judge
 from insole_core.evaluation.known_object import KnownObject
 from insole_core.geometry.side import BOTH
 from insole_core.messages import Message, joined

@@ -22,8 +22,7 @@ from insole_core.calibration.walls.distortion import calibrate_distortion
 from insole_core.calibration.walls.wall_plane import with_board_planes
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.calibration_sections import disparity_section, distortion_section
-from insole_core.evaluation.wall import Correction, NoCorrection
-from insole_core.evaluation.wall_pictures import wall_pictures
+from insole_core.evaluation.wall import Correction, NoCorrection, wall_pictures
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.sensor import COLOR_CAMERA, Sensor

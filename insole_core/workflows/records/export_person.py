@@ -19,8 +19,7 @@ from insole_core.cases.case_file import write_case
 from insole_core.cases.case_json import foot_to_json
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import DesignError, InputError, NotAllowed, RecordsError, Unreachable
-from insole_core.evaluation.report_html import write_html
-from insole_core.evaluation.report_pdf import write_pdf
+from insole_core.evaluation.report_files import write_html, write_pdf
 from insole_core.export.lettering import letters_note
 from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import make_private_folder, replacing_folder, write_private

@@ -19,7 +19,7 @@ from insole_core.calibration.walls.distortion import DistortionCalibration, cali
 from insole_core.calibration.walls.thesis_maps import cubic_map, mean_map
 from insole_core.calibration.walls.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError, InputError
-from insole_core.evaluation.leave_one_out import leave_one_out
+from insole_core.evaluation.wall import leave_one_out
 from insole_core.geometry.arrays import FloatArray
 from insole_core.progress import Cancelled, Progress
 from insole_core.sensing.sensor import BURRUS, DEPTH_CAMERA

@@ -11,7 +11,7 @@ import pytest
 
 from insole_core.errors import UsageError
 from insole_core.evaluation.chain import PARTS, ChainEvaluation
-from insole_core.evaluation.chain_verdict import judge
+from insole_core.evaluation.chain_section import judge
 from insole_core.evaluation.known_object import KnownRound
 from insole_core.reconstruct.fusion import matching_error
 from insole_core.recording.reader import read_session
