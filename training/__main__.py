@@ -12,9 +12,13 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import Float32Array
-from insole_core.reconstruct.fusion.familiarity import Familiarity
 from insole_core.reconstruct.fusion.matching_error import MatchingModel, matching_error
-from insole_core.reconstruct.fusion.neighbourhood import FEATURES, mirrored, neighbourhoods
+from insole_core.reconstruct.fusion.neighbourhood import (
+    FEATURES,
+    Familiarity,
+    mirrored,
+    neighbourhoods,
+)
 from training.network import drawn, fit
 from training.views import Example, simulate_examples
 

@@ -7,7 +7,7 @@ import numpy as np
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.transforms import rotation_about, transform
 from insole_core.reconstruct.fusion.depth_view import DepthView
-from insole_core.reconstruct.fusion.shading import shading_of
+from insole_core.reconstruct.fusion.neighbourhood import shading_of
 from insole_core.simulate.scene import Hits, SceneCaster
 
 _BEYOND = 26.0

@@ -1,4 +1,4 @@
-"""Acceptance with an artefact in the manner of VDI/VDE 2634: spheres and a plate, found, measured."""
+"""Acceptance with an artefact in the manner of VDI/VDE 2634: spheres and a plate in captures."""
 
 from __future__ import annotations
 

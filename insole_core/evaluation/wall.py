@@ -1,4 +1,4 @@
-"""Error of a flat wall over distance, each corrected or not, with pictures (thesis 5.2, figure 11)."""
+"""Error of a flat wall over distance, corrected or not, with pictures (thesis 5.2, figure 11)."""
 
 from __future__ import annotations
 

@@ -62,14 +62,12 @@ CATALOGUE = {
     for message in ElementTree.parse(resource_path("translations/sv/core.ts")).iter("message")
 }
 PAPERS = (
-    "compare/comparison_report.py",
-    "evaluation/calibration_sections.py", "evaluation/chain_section.py",
-    "evaluation/chain_section.py", "evaluation/evaluation_sections.py",
-    "evaluation/report.py", "evaluation/report_files.py", "evaluation/wall.py",
-    "export/paper.py", "formats/amf.py", "formats/obj.py", "formats/off.py",
-    "formats/ply.py", "formats/slicer_3mf.py", "formats/stl.py", "formats/three_mf.py",
-    "insole/prescription/prescription_lines.py", "records/fhir.py", "records/statement.py",
-    "milling/gcode.py", "simulate/simulation.py",
+    "compare/comparison_report.py", "evaluation/calibration_sections.py",
+    "evaluation/chain_section.py", "evaluation/evaluation_sections.py", "evaluation/report.py",
+    "evaluation/report_files.py", "evaluation/wall.py", "export/paper.py", "formats/amf.py",
+    "formats/obj.py", "formats/off.py", "formats/ply.py", "formats/slicer_3mf.py",
+    "formats/stl.py", "formats/three_mf.py", "insole/prescription/prescription_lines.py",
+    "records/fhir.py", "records/statement.py", "milling/gcode.py", "simulate/simulation.py",
     "solids/export_job.py",
 )  # fmt: skip
 """Files that write reports, papers and meshes, in English; what they refuse is said in Swedish."""

@@ -17,16 +17,16 @@ import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray, IntArray
 from insole_core.reconstruct.fusion.depth_view import DepthView
-from insole_core.reconstruct.fusion.familiarity import Familiarity
 from insole_core.reconstruct.fusion.neighbourhood import (
     FEATURES,
+    Familiarity,
+    find_shading,
     level,
     mirrored,
     neighbourhoods,
+    smoothness,
     support,
 )
-from insole_core.reconstruct.fusion.shading import find_shading
-from insole_core.reconstruct.fusion.sharp_steps import smoothness
 from insole_core.resources import resource_path
 
 _WEIGHTS = "matching_error/weights.npz"

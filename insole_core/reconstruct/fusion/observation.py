@@ -1,13 +1,14 @@
-"""The readings of a view as linear equations for the displacements of a mesh's vertices."""
+"""The readings of a view as equations for a mesh's vertices, and its motion between two views."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 import scipy
 
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.depth_view import DepthView
@@ -20,6 +21,18 @@ SHARED_PX = 20
 """Number of neighbouring readings that share their error: the sensor compares 9 x 9 pixels."""
 _LEAST_COSINE = 0.2
 _OUTLIER_RAW = 8.0
+_LEAST_COSINE_OF_BOTH = 0.5
+"""On steeper parts the sensor's window shifts the surface, oppositely in the two views."""
+_LEAST_COMMON = 500
+_ROUNDS_MM = (6.0, 4.0, 3.0, 2.0, 1.5, 1.5, 1.5)
+"""Scales of the robust weights; at first nearly all vertices count, in case the foot moved."""
+_SHARED_VERTICES = 36
+"""Number of vertices, 2 mm apart, that lie in one window of the sensor and share its error."""
+_PRIOR = 1e-3
+"""Weight of the prior that nothing has moved, per vertex."""
+_WINDOW_MM = 0.5
+"""Least error of the sensor's windows, however well the two surfaces agree."""
+_LARGEST_STD_MM = 0.7
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,3 +104,80 @@ def _view_terms(reading: DepthView, pixels: FloatArray) -> FloatArray:
     camera = reading.sensor.depth_camera
     place = (pixels - [camera.width / 2, camera.height / 2]) / 100
     return np.column_stack([np.ones(len(place)), place])
+
+
+@dataclass(frozen=True, eq=False)
+class _Side:
+    """One view's height above the vertices, mm, NaN = not measured, and which of them it faces."""
+
+    height_mm: FloatArray
+    faced: BoolArray
+
+
+def view_gaps(
+    mesh: TriangleMesh,
+    normals: FloatArray,
+    displacement: FloatArray,
+    readings: list[DepthView],
+    seen: list[Observations],
+) -> FloatArray:
+    """Estimate the shift from each view's surface to each other's on their common part.
+
+    A part that only one view measured carries no information, and would hide a shift across the
+    foot.
+
+    Parameters
+    ----------
+    mesh : mm, reference frame
+    normals : (n, 3) float64
+    displacement : (n,) float64, mm
+        Of the vertices along their normals to the fused surface.
+    readings, seen
+        Readings and observations of every view, corrected for the sensor's matching error.
+
+    Returns
+    -------
+    (views, views, 3) float64, mm, reference frame
+        From the first view to the second; 0 along directions that their common part does not
+        determine, NaN where it is too small.
+    """
+    sides = [
+        _side(part, displacement, reading.origin_mm - mesh.vertices, normals)
+        for reading, part in zip(readings, seen, strict=True)
+    ]
+    gaps = np.zeros((len(sides), len(sides), 3))
+    for i, j in combinations(range(len(sides)), 2):
+        gaps[i, j] = _gap_mm(sides[i], sides[j], normals)
+        gaps[j, i] = -gaps[i, j]
+    return gaps
+
+
+def _side(
+    part: Observations, displacement: FloatArray, towards: FloatArray, normals: FloatArray
+) -> _Side:
+    residuals = np.asarray(part.residuals - part.design @ displacement)
+    response: FloatArray = np.asarray(part.design.sum(axis=1)).ravel()
+    rhs = np.asarray(part.design.T @ (part.information * residuals))
+    total = np.asarray(part.design.T @ (part.information * response))
+    known = total != 0
+    height_mm = np.divide(rhs, total, out=np.full(len(total), np.nan), where=known)
+    cosine = np.einsum("nc,nc->n", normals, towards) / np.linalg.norm(towards, axis=1)
+    return _Side(height_mm, np.asarray(known & (cosine > _LEAST_COSINE_OF_BOTH)))
+
+
+def _gap_mm(first: _Side, second: _Side, normals: FloatArray) -> FloatArray:
+    """Estimate the shift (3,) by robust least squares along the normals (Geman & McClure)."""
+    common = first.faced & second.faced
+    if common.sum() < _LEAST_COMMON:
+        return np.full(3, np.nan)
+    normal, height_mm = normals[common], (second.height_mm - first.height_mm)[common]
+    shift: FloatArray = np.zeros(3)
+    for scale_mm in _ROUNDS_MM:
+        weights = 1 / (1 + ((height_mm - normal @ shift) / scale_mm) ** 2) ** 2
+        matrix = normal.T @ (weights[:, None] * normal) + _PRIOR * np.eye(3)
+        shift = np.asarray(np.linalg.solve(matrix, normal.T @ (weights * height_mm)))
+    rms_mm = np.sqrt(np.average((height_mm - normal @ shift) ** 2, weights=weights))
+    strength, axes = np.linalg.eigh(matrix)
+    std_mm = max(float(rms_mm), _WINDOW_MM) * np.sqrt(_SHARED_VERTICES / strength)
+    determined = std_mm < _LARGEST_STD_MM
+    return np.asarray(axes @ (determined * (axes.T @ shift)))

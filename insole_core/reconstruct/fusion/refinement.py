@@ -13,8 +13,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.depth_view import DepthView
-from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe
-from insole_core.reconstruct.fusion.view_gaps import view_gaps
+from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe, view_gaps
 from insole_core.reconstruct.parallel import both, for_views
 
 _EXACT, _MOST_STEPS = 1e-6, 500

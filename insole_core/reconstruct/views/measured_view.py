@@ -1,4 +1,4 @@
-"""The measurement of one view before the sensor's pose is known: frames, and faults of the picture."""
+"""The measurement of one view before its sensor's pose is known: its frames, faults of its picture."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from insole_core.reconstruct.fusion.familiarity import Familiarity
+from insole_core.reconstruct.fusion.neighbourhood import Familiarity
 
 SIZE = 406
 

@@ -7,7 +7,7 @@ import pytest
 
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.reconstruct.fusion.depth_view import DepthView
-from insole_core.reconstruct.fusion.shading import find_shading, shading_of
+from insole_core.reconstruct.fusion.neighbourhood import find_shading, shading_of
 from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor

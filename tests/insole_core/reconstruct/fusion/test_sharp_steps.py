@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from insole_core.reconstruct.fusion.sharp_steps import smoothness
+from insole_core.reconstruct.fusion.neighbourhood import smoothness
 
 
 def sloping(per_px: float) -> np.ndarray:
