@@ -13,15 +13,14 @@ from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import SideBySide
-from insole_studio.features.design.actions.edit_actions import EditActions
+from insole_studio.features.design.actions.edit_actions import EditActions, KeyboardNavigation
 from insole_studio.features.design.actions.feet_actions import FeetActions
-from insole_studio.features.design.actions.keyboard_navigation import KeyboardNavigation
 from insole_studio.features.design.actions.measure_actions import MeasureActions
 from insole_studio.features.design.actions.prescriber_setting import PrescriberSetting
 from insole_studio.features.design.actions.prescription_actions import PrescriptionActions
 from insole_studio.features.design.actions.repeat_actions import RepeatActions
-from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
 from insole_studio.features.design.actions.variant_actions import VariantActions
+from insole_studio.features.design.actions.view_actions import SideBySideActions
 from insole_studio.features.design.devices.device_actions import DeviceActions
 from insole_studio.features.design.plantar.plantar_actions import PlantarActions
 from insole_studio.features.design.shoe.shoe_actions import ShoeActions

@@ -25,14 +25,13 @@ from insole_studio.features.design.models.model_presenter import (
     ModelPresenter,
     ShownModels,
 )
-from insole_studio.features.design.models.rear_lines import rear_lines
 from insole_studio.features.design.models.rim_presenter import RimPresenter
-from insole_studio.features.design.models.section_follower import SectionFollower
-from insole_studio.features.design.models.section_presenter import SectionPresenter
+from insole_studio.features.design.models.section_presenter import SectionFollower, SectionPresenter
+from insole_studio.features.design.models.view_lines import rear_lines
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
 from insole_studio.features.design.parameters.warnings_presenter import WarningsPresenter
-from insole_studio.features.design.patient.measure_places import place_of
+from insole_studio.features.design.patient.measure_texts import place_of
 from insole_studio.features.design.patient.patient_presenter import PatientPresenter
 from insole_studio.features.design.patient.patient_view import PatientView
 from insole_studio.features.design.tools.tool_controller import ToolController

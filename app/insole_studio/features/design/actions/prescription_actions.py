@@ -1,10 +1,11 @@
-"""Actions of the Prescribe menu beyond single corrections: templates, repetition, landmarks."""
+"""The Prescribe menu: corrections, landmarks, measures, templates; and their actions."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import FootRecord
@@ -13,7 +14,7 @@ from insole_core.files.atomic import replacing_file
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
-from insole_core.insole.elements import ArchRaise, Correction, new_id
+from insole_core.insole.elements import ArchRaise, Correction, in_order, new_id
 from insole_core.insole.elements.pad_places import placed_pad
 from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
@@ -26,13 +27,17 @@ from insole_core.workflows.foot_landmarks import confirmed, found_anew, landmark
 from insole_core.workflows.pad_library import LibraryPad
 from insole_core.workflows.starting_design import fitted, template_of
 from insole_studio.document.case import Case
-from insole_studio.features.design.actions.lost_corrections import may_replace
+from insole_studio.features.design.actions.variant_actions import may_replace
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.services.files import TEMPLATE_SUFFIX, Kept, case_kinds, template_kinds
 from insole_studio.services.user_messages import LONG_MS, UserMessages
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
+
+if TYPE_CHECKING:
+    from insole_studio.features.design.design import Design
 
 _ABOVE_ARCH_MM = 3.0
 
@@ -188,3 +193,112 @@ def design_of_case(case: Case, path: Path) -> InsoleDesign:
 def _foot_of(case: Case) -> FootRecord:
     assert case.record.current is not None, "the action needs a foot"
     return case.record.current
+
+
+def _added(kind: type[Correction]) -> ActionRecord[Design]:
+    return ActionRecord(
+        f"add_{kind.type}",
+        lambda: translate_core_message(kind.name),
+        lambda: translate_core_message(kind.tip),
+        lambda design, _on: design.prescription.prescribe(kind.usual()),
+        needs_foot=True,
+    )
+
+
+PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
+    ActionRecord(
+        "choose_device",
+        lambda: tr("Device or finding…"),
+        lambda: tr("Choose a device, a base form, or what is proposed for a finding"),
+        lambda design, _on: design.devices.open(),
+        icon="device",
+        shortcut="Ctrl+F",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "toggle_as_scanned",
+        lambda: tr("As scanned / designed"),
+        lambda: tr("Change between the imprint of the foot and the designed device"),
+        lambda design, _on: design.devices.toggle_as_scanned(),
+        shortcut="Y",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "edit_materials",
+        lambda: tr("Table of materials…"),
+        lambda: tr("Change least and usual thickness of the clinic's materials"),
+        lambda design, _on: design.devices.table.open(),
+    ),
+    ActionRecord(
+        "choose_shoe",
+        lambda: tr("Shoe…"),
+        lambda: tr("Choose the shoe by size or last, see where the insole is wider, and trim it"),
+        lambda design, _on: design.shoe.ask(),
+        needs_foot=True,
+    ),
+    *(_added(kind) for kind in in_order() if kind.tip),
+    ActionRecord(
+        "add_arch_height",
+        lambda: tr("Arch to a height"),
+        lambda: tr("Prescribe the height of the finished arch and its place"),
+        lambda design, _on: design.prescription.prescribe_arch_height(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "confirm_landmarks",
+        lambda: tr("Confirm landmarks"),
+        lambda: tr("Take all landmarks as they are shown"),
+        lambda design, _on: design.prescription.confirm_landmarks(),
+        shortcut="Ctrl+K",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "find_landmarks",
+        lambda: tr("Find landmarks anew"),
+        lambda: tr("Forget the landmarks that were set by hand"),
+        lambda design, _on: design.prescription.find_landmarks(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "copy_measures",
+        lambda: tr("Copy the measures"),
+        lambda: tr("Put the table of measures onto the clipboard"),
+        lambda design, _on: design.measures.copy(),
+        shortcut="Ctrl+Shift+M",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "save_measures",
+        lambda: tr("Save measures as CSV…"),
+        lambda: tr("Write the table of measures for a spreadsheet"),
+        lambda design, _on: design.measures.ask_save(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "save_template",
+        lambda: tr("Save as template…"),
+        lambda: tr("Save the prescription without the patient, for other feet"),
+        lambda design, _on: design.prescription.ask_save_template(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "apply_template",
+        lambda: tr("Apply template…"),
+        lambda: tr("Prescribe what a template holds; one of the other side is mirrored"),
+        lambda design, _on: design.prescription.ask_apply_template(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "repeat_design",
+        lambda: tr("Repeat the design of a case…"),
+        lambda: tr("Prescribe on this scan what an earlier case prescribes"),
+        lambda design, _on: design.prescription.ask_repeat_design(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "author",
+        lambda: tr("Who prescribes…"),
+        lambda: tr("The name that stands in every correction"),
+        lambda design, _on: design.prescriber.ask(),
+    ),
+)

@@ -14,7 +14,7 @@ from insole_core.insole.prescription.template import Template
 from insole_core.progress import Progress
 from insole_core.workflows.starting_design import find_last_design, fitted, identity, prescribed_at
 from insole_studio.features.design.actions.feet_actions import FeetActions
-from insole_studio.features.design.actions.lost_corrections import may_replace
+from insole_studio.features.design.actions.variant_actions import may_replace
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr

@@ -31,11 +31,10 @@ from insole_studio.features.design.models.color_maps import (
     color_by,
     color_foot,
     numbers_text,
+    painted_foot,
+    painted_insole,
 )
 from insole_studio.features.design.models.model_panel import ModelPanel
-from insole_studio.features.design.models.plantar_colors import painted_foot, painted_insole
-from insole_studio.features.design.models.rear_lines import axes_of
-from insole_studio.features.design.models.shoe_lines import shoe_lines
 from insole_studio.features.design.models.side_by_side_layout import (
     NAME_ROOM_MM,
     is_right,
@@ -43,6 +42,7 @@ from insole_studio.features.design.models.side_by_side_layout import (
     pair_text,
     placed_beside,
 )
+from insole_studio.features.design.models.view_lines import axes_of, shoe_lines
 from insole_studio.features.design.tools.hand import selected_element
 from insole_studio.features.design.tools.key_point_tool import confidence, point_text, shown_points
 from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearance, selected_pelott

@@ -15,7 +15,7 @@ from insole_core.progress import Progress
 from insole_core.workflows.plantar_pressure import with_picture, with_pressure
 from insole_studio.document.plantar_view import PlantarLayer, PlantarView
 from insole_studio.features.design.actions.edit_actions import EditActions
-from insole_studio.features.design.actions.side_by_side_actions import SideBySideActions
+from insole_studio.features.design.actions.view_actions import SideBySideActions
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.files import Kept

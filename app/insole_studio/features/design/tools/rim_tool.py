@@ -1,4 +1,4 @@
-"""The rim tool: the stations of the rim and the toe line, dragged in either view."""
+"""The rim tool: its stations, the toe line and the front edge of a short shell, dragged."""
 
 from __future__ import annotations
 
@@ -7,14 +7,21 @@ from functools import partial
 
 import numpy as np
 
+from insole_core.cases.case_record import CaseRecord
+from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.fields import Place, ranges_of
 from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim
 from insole_core.insole.finishing.rim_edits import added_station, moved_station, raised_station
+from insole_core.insole.grips import place_at
+from insole_core.insole.outline.insole_outline import insole_outline
+from insole_core.insole.outline.trim_line import trim_points
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.finish import Finish
+from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.document.rim_model import RimModel, with_stations
 from insole_studio.features.design.rim_texts import station_text
@@ -24,7 +31,6 @@ from insole_studio.features.design.tools.tool import (
     SurfaceContext,
     Tool,
 )
-from insole_studio.features.design.tools.trim_line_drag import carry_trim_point, shown_trim_points
 from insole_studio.scene.pointer import Gesture, Handle, Phase, PointerEvent
 from insole_studio.scene.view_camera import ViewTransform
 from insole_studio.texts import tr
@@ -37,6 +43,53 @@ LOCK_PX = 4.0
 """How far a drag goes before it is decided whether it raises the station or moves it."""
 LEAST_SEEN = 0.35
 """Least length of a unit vector on the screen for drags along it."""
+
+
+def _shown_trim_points(record: CaseRecord) -> tuple[Place, ...]:
+    """Return the points of the trim line; none where the insole has no such line."""
+    design = record.design
+    if design is None or design.shell is None or record.foot is None:
+        return ()
+    if design.outline.source == "drawn" or design.outline.extent != "three_quarter":
+        return ()
+    return trim_points(design.shell, design.side, landmarks_of(record))
+
+
+def _carry_trim_point(case: Case, number: int, press: PointerEvent) -> Gesture:
+    """Let a point of the trim line follow the pointer, as far as that leaves a shell."""
+    design, points = case.record.design, _shown_trim_points(case.record)
+    start, event = press.place_mm(0.0), press
+    assert design is not None
+    kept = design
+    while event.phase is not Phase.RELEASE:
+        event = yield
+        now = event.place_mm(0.0)
+        if start is None or now is None:
+            continue
+        moved = place_at(np.array(points[number]) + (now - start)[:2])
+        wanted = _with_point(design, points, number, moved)
+        if _is_possible(case.record, wanted):
+            kept = wanted
+        case.preview(kept)
+    case.apply(kept, tr("Move the trim line"))
+
+
+def _with_point(
+    design: InsoleDesign, points: tuple[Place, ...], number: int, place: Place
+) -> InsoleDesign:
+    assert design.shell is not None
+    moved = (*points[:number], place, *points[number + 1 :])
+    return replace(design, shell=replace(design.shell, trim_mm=moved))
+
+
+def _is_possible(record: CaseRecord, design: InsoleDesign) -> bool:
+    assert record.foot is not None
+    try:
+        check_design(design)
+        insole_outline(record.foot, design, landmarks_of(record))
+    except DesignError:
+        return False
+    return True
 
 
 @dataclass(frozen=True)
@@ -91,7 +144,7 @@ class RimTool(Tool):
         if line:
             spots[TOE_LINE] = line[len(line) // 2]
             hints[TOE_LINE] = tr("Drag to move the line at which the toe zone begins")
-        for number, place in enumerate(shown_trim_points(case.shown)):
+        for number, place in enumerate(_shown_trim_points(case.shown)):
             spots[f"{TRIM}{number}"] = place
             hints[f"{TRIM}{number}"] = tr("Drag to move the front edge of the shell")
         places = surface.places(np.array(list(spots.values())).reshape(-1, 2))
@@ -111,7 +164,7 @@ class RimTool(Tool):
         if design is not None and case.foot is not None and event.handle == TOE_LINE:
             return _carry_toe_line(case, design, HeadsParabola.of(case.foot), event)
         if design is not None and event.handle is not None and event.handle.startswith(TRIM):
-            return carry_trim_point(case, int(event.handle.removeprefix(TRIM)), event)
+            return _carry_trim_point(case, int(event.handle.removeprefix(TRIM)), event)
         if number is None or rim is None or design is None:
             return None
         self._rim.select(number)

@@ -1,4 +1,4 @@
-"""Guide lines of the tools: axes of the rearfoot and the sole's level, or rotation rings."""
+"""Guide lines in the views: axes of the rearfoot, the sole's level, rings, a shoe."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.arrays import FloatArray
+from insole_core.insole.outline.shoe_outline import ShoeOutline
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.document.case import Case
 from insole_studio.features.design.tools.tool import Tool
 from insole_studio.features.design.tools.turn_tool import TurnTool, ring_centre
 from insole_studio.scene.guide_lines import GuideLines
-from insole_studio.texts import localised, tr
+from insole_studio.texts import fill, localised, tr
 
 LEVEL_HALF_MM = 42.0
 """Wider than a heel, and short of the words beside the ball."""
@@ -19,6 +20,8 @@ BELOW_MM = np.array([0.0, -9.0, -9.0])
 """Offset of the angle's text from its line, seen from below and from behind."""
 BEYOND = 0.25
 """Share of its length by which an axis is extended at both ends."""
+_TEXT_AHEAD_MM, _TEXT_BESIDE_MM, _TEXT_ABOVE_MM = 70.0, 6.0, 60.0
+"""So that the text lies beside the shoe from below, and above the insole from the sides."""
 
 
 def axes_of(case: Case, tool: Tool) -> GuideLines | None:
@@ -64,3 +67,31 @@ def rear_lines(record: CaseRecord) -> GuideLines | None:
 def _axis(lower: FloatArray, upper: FloatArray) -> FloatArray:
     more = BEYOND * (upper - lower)
     return np.stack([lower - more, upper + more])
+
+
+def shoe_lines(shoe: ShoeOutline) -> GuideLines:
+    """Return inside, sole and heel of a shoe, and what they mean in millimetres."""
+    ahead_mm = np.abs(shoe.ground[:, 1] - shoe.heel[0, 1] - _TEXT_AHEAD_MM)
+    level = shoe.ground[ahead_mm.argsort()[:12]]  # on both sides of the foot
+    x_mm, y_mm, _ = level[level[:, 0].argmax()]
+    place = np.array([x_mm + _TEXT_BESIDE_MM, y_mm, _TEXT_ABOVE_MM])
+    lines = [_closed(shoe.inside), _closed(shoe.ground)]
+    if shoe.pitch_mm > 0:
+        lines.append(shoe.heel)
+    return GuideLines(tuple(lines), place, _text(shoe), shoe.wider)
+
+
+def _text(shoe: ShoeOutline) -> str:
+    parts = [
+        shoe.name or fill(tr("Outline of a shoe EU {size:g}"), size=shoe.size_eu),
+        fill(tr("Heel of the shoe {mm:.1f} mm"), mm=shoe.pitch_mm),
+    ]
+    if shoe.most_over_mm > 0:
+        parts.append(fill(tr("Insole up to {mm:.1f} mm wider"), mm=shoe.most_over_mm))
+    if shoe.lift_mm > 0:
+        parts.append(fill(tr("Heel lift {mm:.1f} mm"), mm=shoe.lift_mm))
+    return "\n  ".join(parts)
+
+
+def _closed(curve: FloatArray) -> FloatArray:
+    return np.concatenate([curve, curve[:1]])
