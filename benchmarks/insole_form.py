@@ -30,8 +30,8 @@ from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device
-from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.prescription.rim_sliders import with_cup_depth
+from insole_core.insole.prescription.template import mirrored
 from insole_core.workflows.clinic_devices import clinic_devices, clinic_forms, find_device
 from insole_core.workflows.edited_insole import EditedInsole
 from insole_core.workflows.insole_builder import InsoleBuilder

@@ -17,9 +17,8 @@ from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.layers import Layers
-from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.prescription.shell import Post, Shell
-from insole_core.insole.prescription.shoe import Shoe
 
 SCHEMA = Path(__file__).parent / "formats" / "design.schema.json"
 PARTS: dict[str, type[Any]] = {

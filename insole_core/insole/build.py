@@ -14,7 +14,7 @@ from insole_core.errors import DesignError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray
 from insole_core.insole.finishing.finished import FinishedSurface
-from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_limits import check_design
 from insole_core.insole.prescription.design_totals import check_totals

@@ -7,8 +7,7 @@ import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.build import Insole
-from insole_core.insole.forms.form_frame import FormFrame, form_frame
-from insole_core.insole.forms.form_surface import form_heights
+from insole_core.insole.forms.form_surface import FormFrame, form_frame, form_heights
 from insole_core.insole.prescription.base_form import HEADS_ALONG, Form
 from insole_core.insole.prescription.item_name import checked_name
 from insole_core.insole.primitives.height_field import HeightField

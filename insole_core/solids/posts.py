@@ -9,8 +9,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.prescription.shell import Post
-from insole_core.insole.primitives.heads_line import ahead_of_heads_mm
-from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField, ahead_of_heads_mm
 
 INSET_MM = 5.0
 """How far the foot of a post's wall lies inside the edge of the insole."""

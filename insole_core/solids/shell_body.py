@@ -9,7 +9,7 @@ import numpy as np
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.elements.rocker import LEAST_LEFT_MM
-from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import material_of
 from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell

@@ -12,10 +12,10 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.build import material_problem
-from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_totals import posting_angles
 from insole_core.insole.prescription.finish import Finish
-from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import ContactBase, with_rim
 from insole_core.insole.surface.followed_base import followed_base

@@ -17,7 +17,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.mirroring import moved
+from insole_core.insole.prescription.template import moved
 
 _METATARSAL_LINE = ("metatarsal_head_2", "metatarsal_head_3", "metatarsal_head_4")
 SHOWN = (

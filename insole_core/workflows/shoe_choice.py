@@ -9,7 +9,7 @@ from insole_core.formats.units import Unit
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.item_name import MOST_CHARACTERS
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.outline import Shoe
 from insole_core.insole.shoes.last import last_outline
 from insole_core.scans.mesh_file import read_mesh
 

@@ -24,9 +24,8 @@ from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.layers import Layers
-from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.prescription.shell import Post, Shell
-from insole_core.insole.prescription.shoe import Shoe
 
 ROUND = (
     (0.0, -130.0), (20.0, -113.0), (35.0, -65.0), (40.0, 0.0), (35.0, 65.0), (20.0, 113.0),

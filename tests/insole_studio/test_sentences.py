@@ -25,17 +25,15 @@ from insole_core.foot.measures import DEFINITIONS
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import CORRECTION_TYPES, HeelSkive, Pelott
 from insole_core.insole.fields import Choice, Declared, Number, declared
-from insole_core.insole.pads.pad_form import PAD_SHAPES
-from insole_core.insole.pads.pad_kinds import PAD_NAMES
+from insole_core.insole.pads.pad_form import PAD_NAMES, PAD_SHAPES
 from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import read_materials
-from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.prescription.shell import Post, Shell
-from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table
 from insole_core.messages import Message, joined
 from insole_core.records.order import Order

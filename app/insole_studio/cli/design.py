@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
     from insole_core.insole.build import Insole
     from insole_core.insole.prescription.design import InsoleDesign
-    from insole_core.insole.prescription.shoe import Shoe
+    from insole_core.insole.prescription.outline import Shoe
 
 NAME = "design"
 HELP = "make the insole of a session or a scanned foot, for the shop"

@@ -15,7 +15,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface
 from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
-from insole_core.insole.finishing.toe_line import toe_line
+from insole_core.insole.finishing.toe_zone import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation

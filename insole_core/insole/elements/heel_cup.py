@@ -12,7 +12,7 @@ from insole_core.insole.elements.correction import Correction, Sole
 from insole_core.insole.elements.words import mm_message
 from insole_core.insole.fields import Number, OfLength
 from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
-from insole_core.insole.primitives.heel_rows import heel_floor_mm, row_count
+from insole_core.insole.primitives.height_field import heel_floor_mm, row_count
 from insole_core.messages import Message
 
 _WALL_DEG = 80.0  # greatest mean inclination of a rim that is raised beside the scan

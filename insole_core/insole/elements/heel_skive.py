@@ -16,7 +16,7 @@ from insole_core.insole.elements.words import mm_message
 from insole_core.insole.fields import Angle, Choice, Number
 from insole_core.insole.judged import SHOWN, Judged
 from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
-from insole_core.insole.primitives.heel_rows import HEEL_SHARE, rows_up_to
+from insole_core.insole.primitives.height_field import HEEL_SHARE, rows_up_to
 from insole_core.messages import Message
 
 _SKIVE_END = 0.32

@@ -18,8 +18,12 @@ from insole_core.insole.fields import Angle, Number, ranges_of
 from insole_core.insole.grips import Grip, Pull
 from insole_core.insole.judged import SHOWN, Judged
 from insole_core.insole.primitives.blending import smooth_hinge
-from insole_core.insole.primitives.heads_line import ahead_of_heads_mm, heads_ahead, heads_mm
-from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.primitives.height_field import (
+    HeightField,
+    ahead_of_heads_mm,
+    heads_ahead,
+    heads_mm,
+)
 from insole_core.messages import Message
 
 LEAST_LEFT_MM = 1.5

@@ -1,4 +1,4 @@
-"""The edge of an insole as a way round the foot, with places named by the landmarks."""
+"""The edge of an insole as a way round the foot, its places, and how far up the foot reaches there."""
 
 from __future__ import annotations
 
@@ -19,6 +19,9 @@ from insole_core.insole.primitives.outline_curve import evenly_spread, way_round
 _PITCH_MM = 1.0
 _LEAST_SHARE = 0.05
 """Least share of a border on either side of its head, where an outline is drawn short."""
+_HIGHEST_MM = 45.0  # no rim is higher
+_BESIDE_MM = 7.0
+_SIGMA_MM = 4.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,3 +144,25 @@ def _nearest_mm(
     on_border = (arc_mm >= border[0] + margin) & (arc_mm <= border[1] - margin)
     away = np.hypot(*(points[on_border] - head).T)
     return float(arc_mm[on_border][away.argmin()])
+
+
+def flank_heights(foot: Foot, outline: Outline) -> FloatArray:
+    """Return the greatest height of the level foot beside each point of an edge; cached.
+
+    Returns
+    -------
+    (n,) float64, mm
+        Over the foot's ground, at most 45; 0 where no part of the foot is within 7 mm.
+    """
+    make = lambda: _measured_heights(foot, insole_edge(foot, outline))  # noqa: E731
+    return foot.derived.get("flank heights", outline, make)
+
+
+def _measured_heights(foot: Foot, edge: Edge) -> FloatArray:
+    points = foot.even.points
+    low = points[points[:, 2] <= _HIGHEST_MM]
+    beside = scipy.spatial.KDTree(low[:, :2]).query_ball_point(edge.points_mm, _BESIDE_MM)
+    highest = np.array([low[near, 2].max(initial=0.0) for near in beside])
+    return np.asarray(
+        scipy.ndimage.gaussian_filter1d(highest, _SIGMA_MM / edge.step_mm, mode="wrap")
+    )

@@ -16,7 +16,6 @@ import scipy
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.fields import Place
-from insole_core.insole.finishing.blend_widths import BlendWidths, blend_widths
 from insole_core.insole.finishing.contact_shaping import (
     Arch,
     Middle,
@@ -24,17 +23,16 @@ from insole_core.insole.finishing.contact_shaping import (
     expanded,
     without_folds,
 )
+from insole_core.insole.finishing.edge import flank_heights
 from insole_core.insole.finishing.edge_distance import EdgeDistance, edge_distance
-from insole_core.insole.finishing.flank import flank_heights
 from insole_core.insole.finishing.rim_curve import RIM_SIGMA_MM, Rim, RimCurve
 from insole_core.insole.finishing.thin_plate import SprungPlate
 from insole_core.insole.finishing.toe_zone import ToeZone, toe_zone
-from insole_core.insole.finishing.zones import Zones, zones_of
+from insole_core.insole.finishing.zones import BlendWidths, Zones, blend_widths, zones_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.outline import Outline
-from insole_core.insole.primitives.heel_rows import HEEL_SHARE
-from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.primitives.height_field import HEEL_SHARE, HeightField
 
 _HEEL_INSIDE_MM = 6.0  # the floor of the heel lies at least so far from the edge
 

@@ -1,4 +1,4 @@
-"""The zone in front of the metatarsal heads: a designed floor instead of the toes' imprint."""
+"""The zone in front of the metatarsal heads, a designed floor instead of the toes' imprint."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, TOE_TIPS, find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.edge_distance import EdgeDistance
-from insole_core.insole.finishing.heads_parabola import HeadsParabola
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.primitives.blending import smoother_step
+from insole_core.insole.primitives.outline_curve import inside_curve
 
 _TRANSITION_MM, _SULCUS_TRANSITION_MM = 14.0, 18.0
 """From the toe line to where the floor of the toes is reached, and the lower one of a sulcus."""
@@ -23,6 +23,47 @@ _SULCUS_DEPTH_MM, _SULCUS_MM = 4.0, (4.0, 13.5)
 _CREST_MM, _CREST_HALF_MM = 4.0, 15.0
 _CREST_PLACE = 0.45  # share of the way from the heads 2 to 4 to the tips of their toes
 _CREST_TOES = (0.15, 0.35)  # shares of the ball's width from the 1st head: the big toe lies free
+_PITCH_MM = 2.0
+
+
+@dataclass(frozen=True, eq=False)
+class HeadsParabola:
+    """A parabola y(x) fitted to the five heads of a foot, insole frame, mm.
+
+    Parameters
+    ----------
+    coefficients : (3,) float64
+        Of y over x towards medial, the highest power first, so that a mirrored foot has the same.
+    medial_sign
+        Sign of the insole frame's x on the medial side.
+    """
+
+    coefficients: FloatArray
+    medial_sign: float
+
+    @classmethod
+    def of(cls, foot: Foot) -> HeadsParabola:
+        """Fit the parabola to a foot's landmarks."""
+        landmarks, sign = find_landmarks(foot), foot.side.medial_sign
+        heads = np.array([landmarks[name].point[:2] for name in HEADS]) * [sign, 1.0]
+        return cls(np.polyfit(heads[:, 0], heads[:, 1], 2), sign)
+
+    def ahead_mm(self, x_mm: FloatArray, y_mm: FloatArray) -> FloatArray:
+        """Return how far places lie ahead of the parabola, to first order normal to it."""
+        y0_mm, steepness = self._at(x_mm)
+        return np.asarray((y_mm - y0_mm) / steepness)
+
+    def line_y_mm(self, x_mm: FloatArray, ahead_mm: float) -> FloatArray:
+        """Return y of the places that lie a given distance ahead: there `ahead_mm` returns it."""
+        y0_mm, steepness = self._at(x_mm)
+        return np.asarray(y0_mm + ahead_mm * steepness)
+
+    def _at(self, x_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return y on the parabola, and the length of its tangent for a step of 1 in x."""
+        medial_mm = self.medial_sign * x_mm
+        slope = np.polyval(np.polyder(self.coefficients), medial_mm)
+        y0_mm = np.asarray(np.polyval(self.coefficients, medial_mm), float)
+        return y0_mm, np.hypot(1.0, np.asarray(slope, float))
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,3 +156,24 @@ def _level_mm(ahead_mm: FloatArray, contact_mm: FloatArray, on_foot: BoolArray) 
         foremost = ahead_mm[on_foot].max()
         strip = on_foot & (ahead_mm > foremost - (high - low))
     return float(np.median(contact_mm[strip])) if strip.any() else float(contact_mm.min())
+
+
+def toe_line(foot: Foot, outline: FloatArray, ahead_mm: float) -> FloatArray:
+    """Return the places a given distance ahead of the parabola through the heads.
+
+    Parameters
+    ----------
+    outline : (n, 2) float64, mm, insole frame
+        Of the insole, which the line does not leave.
+    ahead_mm
+        As `Finish.toe_line_mm`.
+
+    Returns
+    -------
+    (m, 2) float64, mm, insole frame
+        In ascending x; none where the line lies ahead of the whole insole.
+    """
+    low, high = outline[:, 0].min(), outline[:, 0].max()
+    x = np.linspace(low, high, max(2, round((high - low) / _PITCH_MM)))
+    line = np.column_stack([x, HeadsParabola.of(foot).line_y_mm(x, ahead_mm)])
+    return np.asarray(line[inside_curve(outline, line)])

@@ -15,13 +15,11 @@ from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.insole.fields import Place
-from insole_core.insole.outline.fair_curve import fair_curve
-from insole_core.insole.outline.foot_border import foot_border
+from insole_core.insole.outline.foot_border import fair_curve, foot_border
 from insole_core.insole.outline.shoe_fit import placed_inside, trimmed_to
 from insole_core.insole.outline.trim_line import TrimLine, trim_points
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.outline import Outline
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.primitives.blending import smooth_step
 from insole_core.insole.primitives.outline_curve import closed_curve, evenly_spread, smoothed_along
 

@@ -10,7 +10,7 @@ import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.outline import Shoe
 from insole_core.insole.primitives.outline_curve import (
     closed_curve,
     evenly_spread,

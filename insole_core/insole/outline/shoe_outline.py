@@ -1,7 +1,4 @@
-"""The outline of a usual shoe of the right size around an insole, to judge its place in one.
-
-It follows from size, foot and heel height alone: it is no last, and no certain shoe.
-"""
+"""A shoe around an insole: the outline of a usual one, and the underside for a raised heel."""
 
 from __future__ import annotations
 
@@ -15,16 +12,75 @@ from insole_core.foot.measures import PARIS_MM, shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.insole_outline import full_outline, insole_outline, shoe_inside
 from insole_core.insole.outline.shoe_fit import fit_in
-from insole_core.insole.outline.shoe_last import ground_heights_mm, last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.lifts import heel_lift_mm
+from insole_core.insole.prescription.design_totals import heel_lift_mm
 from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
 from insole_core.insole.primitives.outline_curve import smoothed_along
 
+_HEEL, _BALL = 0.15, 0.7  # shares of the length where the insole rests on the last
+_BEND = 0.03  # share of the length over which the underside bends at the ball
 _BALL_MM, _HEEL_MM = 4.0, 3.0
 """Room of a usual shoe beside the ball and the heel of the foot."""
 _WALL_MM, _EVENING_MM = 6.0, 6.0
 """Upper and edge of the sole, by which it is wider than the shoe's inside."""
+
+
+def last_heights_mm(design: InsoleDesign, y_mm: FloatArray, length_mm: float) -> FloatArray:
+    """Return how high the shoe's last carries an insole in each cross section.
+
+    Parameters
+    ----------
+    y_mm : (n,) float64, mm, insole frame
+    length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (n,) float64, mm
+        Over z = 0, which the last touches; zeros for a shoe without heel.
+    """
+    pitch_mm = design.heel_pitch_mm
+    if pitch_mm == 0:
+        return np.zeros_like(y_mm)
+    return pitch_mm * (_over_chord(y_mm / length_mm) - _LOWEST)
+
+
+def _ground_heights_mm(design: InsoleDesign, y_mm: FloatArray, length_mm: float) -> FloatArray:
+    """Return the height of the ground below a shoe's last in each cross section.
+
+    Under heel and ball it lies as far below the last as the shoe carries them. The insole is
+    designed level, so that in its frame the ground falls from the ball to the heel.
+
+    Parameters
+    ----------
+    y_mm : (n,) float64, mm, insole frame
+    length_mm
+        Of the foot.
+
+    Returns
+    -------
+    (n,) float64, mm, insole frame
+        Zeros for a shoe without heel.
+    """
+    pitch_mm = design.heel_pitch_mm
+    share = np.maximum(y_mm / length_mm, 0.0)
+    return np.asarray(-pitch_mm * (_chord(share) + _LOWEST)) if pitch_mm else np.zeros_like(y_mm)
+
+
+def _over_chord(share: FloatArray) -> FloatArray:
+    """Return the last's bottom line over its chord, for a heel of unit height."""
+    share = np.maximum(share, 0.0)
+    return np.asarray(1 - smooth_step(share, 0.0, _BALL) - _chord(share))
+
+
+def _chord(share: FloatArray) -> FloatArray:
+    """Return the height over the ground of the line through heel and ball, level ahead of it."""
+    return _SLOPE * smooth_hinge(_BALL - share, _BEND)
+
+
+_SLOPE = float(1 - smooth_step(np.array(_HEEL), 0.0, _BALL)) / (_BALL - _HEEL)
+_LOWEST = float(_over_chord(np.linspace(0, 1, 1001)).min())
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +143,7 @@ def shoe_outline(foot: Foot, design: InsoleDesign) -> ShoeOutline:
         return np.column_stack([points, last_heights_mm(design, points[:, 1], foot.length_mm)])
 
     def on_ground(points: FloatArray) -> FloatArray:
-        return np.column_stack([points, ground_heights_mm(design, points[:, 1], foot.length_mm)])
+        return np.column_stack([points, _ground_heights_mm(design, points[:, 1], foot.length_mm)])
 
     fit = None if chosen is None else fit_in(_edge(foot, design), inside)
     length_mm = PARIS_MM * size if chosen is None else float(np.ptp(inside[:, 1]))

@@ -1,8 +1,4 @@
-"""Outlines of all pads, relative to their apex and before they are turned (pad frame, mm).
-
-The egg is (26) of the thesis; the other shapes are superellipses, an arc, and free curves. Sizes
-are data (resources/pads/library.json); shapes are code, so that a prescription can be replayed.
-"""
+"""Outlines of all pads, such as the egg (26), relative to their apex before they are turned, mm."""
 
 from __future__ import annotations
 
@@ -13,20 +9,63 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.fields import Place
-from insole_core.insole.pads.egg_curve import egg_curve
 from insole_core.insole.pads.pad_form import PadForm
 from insole_core.insole.primitives.outline_curve import closed_curve
 from insole_core.memo import Memo
 
+_OUTLINE_POINTS = 1440
 _Pad = TypeVar("_Pad", bound=PadForm)
 _DROP_RATIO = 0.9
 _SUPPORT_FLAT, _SUPPORT_ROUND = 0.35, 0.65  # shares of the width on both sides of the apex
 _LEG_SHARE = 0.3  # breadth of a horseshoe's leg relative to the width
 _POINTS = 720
 _TIP_POINTS = 24
-
 _outlines = Memo(64)
 """Outlines by shape and size, shared by all cases; 23 kB each."""
+
+
+def _egg_curve(
+    length_mm: float, width_mm: float, ratio: float, points: int = _OUTLINE_POINTS
+) -> FloatArray:
+    """Compute the outline of an egg about its apex, the blunt end towards +y.
+
+    (26) in polar form about the pointed end, angle p from the egg's axis, with a = 1 and b = r:
+    rho = cos p (1 - r sin^2 p). The apex stands where the egg is widest.
+
+    Parameters
+    ----------
+    length_mm, width_mm
+        Size along y and x.
+    ratio
+        r of (26), 0 to 1.
+
+    Returns
+    -------
+    (points, 2) float64, mm, pad frame
+        Counter-clockwise; the first point is not repeated.
+    """
+    p = (np.arange(points) + 0.5) / points * np.pi - np.pi / 2
+    rho = np.cos(p) * (1 - ratio * np.sin(p) ** 2)
+    unit = np.stack([rho * np.sin(p), rho * np.cos(p)], axis=1)[::-1]
+    half, along = _polar(ratio, _widest_angle(ratio))
+    size = np.array([width_mm / (2 * half), length_mm])
+    return np.asarray((unit - np.array([0.0, along])) * size)
+
+
+def _polar(ratio: float, p: float) -> tuple[float, float]:
+    rho = np.cos(p) * (1 - ratio * np.sin(p) ** 2)
+    return float(rho * np.sin(p)), float(rho * np.cos(p))
+
+
+def _widest_angle(ratio: float) -> float:
+    """Return the angle at which x = sin p cos p (1 - r sin^2 p) is greatest.
+
+    With s = sin^2 p its derivative vanishes where 1 - (2 + 3 r) s + 4 r s^2 = 0.
+    """
+    linear = 2 + 3 * ratio
+    # The form without cancellation holds for r = 0 (the circle) as well.
+    s = 2 / (linear + np.sqrt(linear**2 - 16 * ratio))
+    return float(np.arcsin(np.sqrt(s)))
 
 
 def local_outline(pad: PadForm) -> FloatArray:
@@ -76,7 +115,7 @@ def _outline(
     if corners_mm is not None:
         outline = _counter_clockwise(closed_curve(corners_mm))
     elif shape in {"egg", "drop"}:
-        outline = egg_curve(length_mm, width_mm, ratio)
+        outline = _egg_curve(length_mm, width_mm, ratio)
     elif shape == "horseshoe":
         outline = _bow(length_mm, width_mm)
     else:

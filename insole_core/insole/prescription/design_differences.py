@@ -16,12 +16,12 @@ from insole_core.insole.fields import Choice, Declared, Line, Number, Part, decl
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import RimStation
+from insole_core.insole.prescription.outline import Shoe
 from insole_core.insole.prescription.rim_sliders import (
     designed_cup_mm,
     medial_flange_mm,
 )
 from insole_core.insole.prescription.shell import Post
-from insole_core.insole.prescription.shoe import Shoe
 from insole_core.messages import Message, joined
 
 _Key: TypeAlias = tuple[str, str]

@@ -20,9 +20,8 @@ from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.item_name import checked_name
-from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.primitives.outline_curve import closed_curve, crosses_itself
 from insole_core.messages import Message
 

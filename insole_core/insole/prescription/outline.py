@@ -1,16 +1,39 @@
-"""The edge of an insole, as it is prescribed."""
+"""The edge of an insole and the shoe that it is made for, as they are prescribed."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Annotated, Final
 
-from insole_core.insole.fields import Choice, Line, Number, Part, Place
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.fields import Choice, Line, Number, Part, Place, Text
 
 NARROW_MM: Final = -3.2
 """Medial border of a narrow insole, from the bisection of the 1st metatarsal."""
 WIDE_MM: Final = 3.2
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shoe(Part):
+    """The inside of a shoe seen from above, where the insole lies.
+
+    Parameters
+    ----------
+    name
+        For display: a size, or the file of a last.
+    trim
+        Whether the insole is trimmed to the shoe.
+    clearance_mm
+        Room that trimming leaves between the insole and the shoe.
+    inside_mm
+        Places on the closed edge of the inside, in the shoe's own frame: x medial, y = 0 at the
+        rearmost point, x = 0 on the line through the middles of heel and ball. The same for a left
+        and a right shoe.
+    """
+
+    name: Annotated[str, Text("Shoe")]
+    trim: Annotated[bool, Choice("Trimmed to it", words={False: "no", True: "yes"})] = False
+    clearance_mm: Annotated[float, Number("Room", least=0, greatest=5)] = 0.5
+    inside_mm: Annotated[tuple[Place, ...], Line("Inside", "", 12, 400, is_mirrored=False)]
 
 
 @dataclass(frozen=True, kw_only=True)

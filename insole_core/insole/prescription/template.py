@@ -1,16 +1,10 @@
-"""A prescription without its patient, to be applied to other feet by their landmarks.
-
-A template holds the design and the positions of heel, 1st and 5th head on its own foot. On another
-foot every position moves with them (the affine map of the three); sizes and heights stay as
-prescribed, as an arch does not scale with the foot's length. The last design is transferred to a
-new scan in the same way.
-"""
+"""A prescription without its patient, for other feet by their landmarks, or for the other foot."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,15 +13,45 @@ import numpy as np
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.side import Side
+from insole_core.insole.elements.correction import reflected, with_places
 from insole_core.insole.fields import Place
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
-from insole_core.insole.prescription.mirroring import mirrored, moved
 from insole_core.json_object import JsonObject
 
 FORMAT, VERSION = "insole-template", 1
 ANCHORS = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
 _LEAST_AREA_MM2 = 500.0
+
+
+def mirrored(design: InsoleDesign) -> InsoleDesign:
+    """Mirror a design in the plane x = 0; medial stays medial, ids stay the same.
+
+    Mirroring twice returns the original, except that turns of 360 degrees are unwound.
+    """
+    return replace(
+        design,
+        side=design.side.other,
+        corrections=tuple(correction.mirrored() for correction in design.corrections),
+        outline=reflected(design.outline),
+        shell=None if design.shell is None else reflected(design.shell),
+    )
+
+
+def moved(design: InsoleDesign, move: Callable[[Place], Place]) -> InsoleDesign:
+    """Move all places of a design on the foot: of corrections, outline and trim line.
+
+    Parameters
+    ----------
+    move
+        Maps a place (x, y) in mm to another.
+    """
+    return replace(
+        design,
+        corrections=tuple(with_places(correction, move) for correction in design.corrections),
+        outline=with_places(design.outline, move),
+        shell=None if design.shell is None else with_places(design.shell, move),
+    )
 
 
 @dataclass(frozen=True)

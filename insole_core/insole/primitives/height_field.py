@@ -1,4 +1,4 @@
-"""A surface over the (x, y)-plane with one height at every node of a rectangular grid."""
+"""A surface over the (x, y)-plane: a height at every node of a grid, the heel and the heads on it."""
 
 from __future__ import annotations
 
@@ -9,10 +9,14 @@ from typing import TypeAlias
 import cv2
 import numpy as np
 
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import HEADS, find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
 
 Grid: TypeAlias = tuple[float, float, float, tuple[int, int]]
 """x and y of the first node, step, and numbers of rows and columns; hashable, to be a key."""
+HEEL_SHARE = 0.22
+"""Length of the heel as a share of the foot's length."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,3 +107,37 @@ class HeightField:
         a, b = index[:-1, :-1].ravel(), index[:-1, 1:].ravel()
         c, d = index[1:, 1:].ravel(), index[1:, :-1].ravel()
         return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+
+
+def row_count(field: HeightField, end_mm: float) -> int:
+    """Return how many rows of a field lie behind a place along the foot; at least one."""
+    return max(1, int(np.searchsorted(field.y_mm, end_mm)))
+
+
+def rows_up_to(field: HeightField, end_mm: float) -> slice:
+    """Return these rows."""
+    return slice(0, row_count(field, end_mm))
+
+
+def heel_floor_mm(field: HeightField, length_mm: float) -> float:
+    """Return the lowest height of the heel of a foot of this length."""
+    return float(field.heights_mm[rows_up_to(field, HEEL_SHARE * length_mm)].min())
+
+
+def heads_mm(foot: Foot) -> FloatArray:
+    """Return the places (2, 2) of heads 1 and 5, mm, insole frame."""
+    marks = find_landmarks(foot)
+    return np.array([marks[name].point[:2] for name in (HEADS[0], HEADS[-1])])
+
+
+def heads_ahead(foot: Foot) -> FloatArray:
+    """Return the unit vector (2,) that points ahead, normal to the line of heads 1 and 5."""
+    medial, lateral = heads_mm(foot)
+    along = (medial - lateral) / np.hypot(*(medial - lateral))
+    return np.array([-along[1], along[0]]) * foot.side.medial_sign
+
+
+def ahead_of_heads_mm(foot: Foot, field: HeightField) -> FloatArray:
+    """Return how far the nodes of a field lie ahead of the line of heads 1 and 5, (ny, nx), mm."""
+    ahead, (medial, _) = heads_ahead(foot), heads_mm(foot)
+    return np.asarray(ahead[0] * field.x_mm + ahead[1] * field.y_mm[:, None] - ahead @ medial)

@@ -12,7 +12,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.outline.shoe_fit import middles
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.outline import Shoe
 from insole_core.insole.primitives.outline_curve import evenly_spread, smoothed_along
 
 _TURNS = 180

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from insole_core.errors import InputError
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.outline import Shoe
 from insole_core.json_object import JsonObject
 from insole_core.resources import resource_path
 

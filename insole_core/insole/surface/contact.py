@@ -21,7 +21,7 @@ from insole_core.insole.fields import Place
 from insole_core.insole.finishing.finished import FinishedSurface, finished
 from insole_core.insole.forms.form_surface import base_surface, finish_on_base
 from insole_core.insole.outline.insole_outline import insole_outline, outline_reach
-from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.rim_sliders import finish_of

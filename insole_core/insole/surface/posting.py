@@ -17,7 +17,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Posting
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.posting_angles import angles_deg
+from insole_core.insole.prescription.design_totals import angles_deg
 from insole_core.insole.primitives.blending import smooth_step
 from insole_core.insole.primitives.height_field import HeightField
 

@@ -1,4 +1,4 @@
-"""Warnings about unusual insoles, by the clinic's limits: of all that an insole is made of."""
+"""Warnings about unusual insoles, by the clinic's limits, and about how the foot was scanned."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from itertools import islice
 
 import numpy as np
 
+from insole_core.foot.contact_tilt import contact_tilt
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
@@ -16,16 +17,17 @@ from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import in_order
 from insole_core.insole.judged import Judged
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.lifts import lift_profile_mm
+from insole_core.insole.prescription.design_totals import lift_profile_mm, posting_angles
 from insole_core.insole.prescription.materials import MaterialTable, read_materials
-from insole_core.insole.prescription.posting_angles import posting_angles
 from insole_core.insole.prescription.rim_sliders import designed_cup_mm
 from insole_core.insole.warnings.finish_warnings import finish_warnings
-from insole_core.insole.warnings.scan_warnings import scan_warnings
 from insole_core.insole.warnings.shell_warnings import shell_warnings
 from insole_core.insole.warnings.shoe_warnings import shoe_warnings
 from insole_core.messages import Message
 
+_LEVEL_DEG = 1.5
+"""Greatest usual tilt of a foot from heel to ball: some 4 mm over the length of an insole."""
+_SHOWN_DEG = 0.1
 _WORDS = {
     "pternion": "rearmost point",
     "heel_centre": "heel centre",
@@ -51,6 +53,62 @@ _USUAL_CUP_MM = 12.0
 _SHOWN_HEIGHT_MM = 1.0
 
 
+def _scan_warnings(insole: Insole) -> Iterator[DesignWarning]:
+    """Warn of a foot that is the other one's mirror image, of an older scan, or not level."""
+    foot = insole.foot
+    if foot.scanned_on:
+        yield DesignWarning(
+            Message(
+                "The scan of the {side} foot is that of the visit of {day}, used once more; scan "
+                "the foot again if it has changed.",
+                side=foot.side.other if foot.mirrored else foot.side,
+                day=foot.scanned_on,
+            )
+        )
+    if foot.mirrored:
+        yield DesignWarning(
+            Message(
+                "The {side} foot was not scanned: foot and insole are mirrored from the {other} "
+                "foot.",
+                side=foot.side,
+                other=foot.side.other,
+            )
+        )
+    yield from _tilt_warnings(insole)
+
+
+def _tilt_warnings(insole: Insole) -> Iterator[DesignWarning]:
+    """Warn of a foot that is not level, whose insole is thicker below heel or ball than asked.
+
+    A base form replaces the foot's own heights, so that then there is nothing to warn of.
+    """
+    tilt = contact_tilt(insole.foot) if insole.design.base is None else None
+    if tilt is None or abs(tilt.angle_deg) <= _LEVEL_DEG:
+        return
+    higher_mm = abs(tilt.heel_mm - tilt.ball_mm)
+    angle_deg = rounded(abs(tilt.angle_deg), _SHOWN_DEG)
+    if tilt.angle_deg > 0:
+        yield DesignWarning(
+            Message(
+                "The foot is not level: the heel lies {higher_mm:.0f} mm higher than the ball "
+                "({angle:g}°), and the insole is as much thicker below it; turn the foot toes up "
+                "by {angle:g}°, or scan it again with heel and ball on one level.",
+                higher_mm=higher_mm,
+                angle=angle_deg,
+            )
+        )
+    else:
+        yield DesignWarning(
+            Message(
+                "The foot is not level: the ball lies {higher_mm:.0f} mm higher than the heel "
+                "({angle:g}°), and the insole is as much thicker below it; turn the foot toes "
+                "down by {angle:g}°, or scan it again with heel and ball on one level.",
+                higher_mm=higher_mm,
+                angle=angle_deg,
+            )
+        )
+
+
 def design_warnings(
     insole: Insole,
     landmarks: Landmarks,
@@ -74,7 +132,7 @@ def design_warnings(
     judged = _judged(insole, landmarks, rules)
     return (
         *islice(_of_landmarks(design.side, landmarks), 1),  # the first explains the others
-        *scan_warnings(insole),
+        *_scan_warnings(insole),
         *(w for kind in in_order() for w in kind.rule(design.of(kind), judged)),
         *_of_height(judged),
         *_of_grid(design, rules),

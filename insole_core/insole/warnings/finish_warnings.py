@@ -11,8 +11,8 @@ from insole_core.insole.build import Insole
 from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import Pelott
 from insole_core.insole.fields import Place
-from insole_core.insole.finishing.blend_widths import STEEPEST_DEG
 from insole_core.insole.finishing.finished import FinishedSurface
+from insole_core.insole.finishing.zones import STEEPEST_DEG
 from insole_core.insole.outline.insole_outline import outline_reach
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.finish import HEADS_ALONG

@@ -13,7 +13,7 @@ from insole_core.insole.build import Insole
 from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import Pelott
 from insole_core.insole.outline.insole_outline import insole_outline
-from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.outline.trim_line import TrimLine, trim_points
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.insole.prescription.design import InsoleDesign

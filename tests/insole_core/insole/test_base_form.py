@@ -15,8 +15,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.elements import HeelSkive, Pelott, Posting
 from insole_core.insole.forms.form_file import read_form, write_form
-from insole_core.insole.forms.form_frame import form_frame
-from insole_core.insole.forms.form_surface import finish_on_base, form_heights
+from insole_core.insole.forms.form_surface import finish_on_base, form_frame, form_heights
 from insole_core.insole.kept_form import form_of
 from insole_core.insole.prescription.base_form import HEADS_ALONG, BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign

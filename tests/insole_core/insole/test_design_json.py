@@ -27,9 +27,8 @@ from insole_core.insole.prescription.design_json import (
 )
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.layers import Layers
-from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.prescription.shell import Post, Shell
-from insole_core.insole.prescription.shoe import Shoe
 
 SCHEMA = json.loads(design_schema.SCHEMA.read_text("utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)

@@ -24,9 +24,9 @@ from insole_core.insole.prescription.device import (
     write_device,
 )
 from insole_core.insole.prescription.item_name import key_of
-from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Shell
+from insole_core.insole.prescription.template import mirrored
 from insole_core.resources import resource_path
 
 DEVICES = sorted(resource_path("devices").glob("*.json"))

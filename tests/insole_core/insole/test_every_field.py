@@ -17,7 +17,7 @@ from insole_core.insole.elements import CORRECTION_TYPES
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
-from insole_core.insole.prescription.mirroring import mirrored
+from insole_core.insole.prescription.template import mirrored
 
 SCHEMA = json.loads(design_schema.SCHEMA.read_text("utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)

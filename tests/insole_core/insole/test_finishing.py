@@ -21,8 +21,8 @@ from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.finish import Finish, RimStation
-from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.template import mirrored
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.primitives.outline_curve import inside_curve
 from insole_core.insole.surface.contact import contact_base

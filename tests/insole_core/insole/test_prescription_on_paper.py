@@ -20,10 +20,9 @@ from insole_core.insole.prescription.base_form import BaseForm, Form
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
 from insole_core.insole.prescription.layers import Layers
-from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.prescription.prescription_lines import correction_lines, make_facts
 from insole_core.insole.prescription.shell import Post, Shell
-from insole_core.insole.prescription.shoe import Shoe
 
 SILENT: dict[tuple[type[Any], str], str] = {
     (Correction, "id"): "by which the program finds it",

@@ -26,11 +26,10 @@ from insole_core.insole.elements import (
     Posting,
 )
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.prescription.design_totals import check_totals
+from insole_core.insole.prescription.design_totals import check_totals, heel_lift_mm
 from insole_core.insole.prescription.layers import Layers
-from insole_core.insole.prescription.lifts import heel_lift_mm
-from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.template import mirrored
 from insole_core.insole.surface.contact import contact_base
 
 PLATE_HALF, PLATE_LENGTH = 50.0, 240.0

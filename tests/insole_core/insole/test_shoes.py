@@ -26,9 +26,8 @@ from insole_core.insole.outline.shoe_fit import fit_in
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
-from insole_core.insole.prescription.mirroring import mirrored
-from insole_core.insole.prescription.outline import Outline
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.outline import Outline, Shoe
+from insole_core.insole.prescription.template import mirrored
 from insole_core.insole.primitives.outline_curve import closed_curve
 from insole_core.insole.shoes.last import last_outline
 from insole_core.insole.shoes.shoe_sizes import read_shoe_table, said_size

@@ -14,7 +14,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.insole.finishing.toe_line import toe_line
+from insole_core.insole.finishing.toe_zone import toe_line
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation

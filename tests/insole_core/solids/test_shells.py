@@ -21,13 +21,13 @@ from insole_core.geometry.ray_casting import RayCaster
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole, build_insole
 from insole_core.insole.elements import HeelCup, Pelott, Posting
-from insole_core.insole.outline.shoe_last import last_heights_mm
+from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.layers import Layers
-from insole_core.insole.prescription.mirroring import mirrored
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.prescription.shell import Post, Shell
+from insole_core.insole.prescription.template import mirrored
 from insole_core.resources import resource_path
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.order import Order, make_part

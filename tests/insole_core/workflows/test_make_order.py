@@ -31,10 +31,9 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.materials import read_materials
-from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.outline import Outline, Shoe
 from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.insole.prescription.shell import Shell
-from insole_core.insole.prescription.shoe import Shoe
 from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh

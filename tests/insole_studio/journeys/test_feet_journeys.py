@@ -602,7 +602,7 @@ def test_the_table_shows_both_feet(app: Application) -> None:
 
 
 def test_a_mirrored_prescription_makes_the_mirrored_insole(make_foot: MakeFoot) -> None:
-    from insole_core.insole.prescription.mirroring import mirrored
+    from insole_core.insole.prescription.template import mirrored
 
     left = make_foot(Side.LEFT)
     flipped = TriangleMesh(left.mesh.vertices * [-1, 1, 1], left.mesh.triangles[:, ::-1].copy())

@@ -16,7 +16,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import Rocker
 from insole_core.insole.fields import ranges_of
 from insole_core.insole.prescription.design import InsoleDesign
-from insole_core.insole.primitives.heads_line import heads_ahead
+from insole_core.insole.primitives.height_field import heads_ahead
 from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 

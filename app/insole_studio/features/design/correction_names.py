@@ -6,7 +6,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.elements import Correction
 from insole_core.insole.elements.pad_places import SIZED_BY_FOOT
 from insole_core.insole.fields import Part, Spot, declared
-from insole_core.insole.pads.pad_kinds import PAD_NAMES
+from insole_core.insole.pads.pad_form import PAD_NAMES
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.texts import localised, tr, translate_core_message, with_capital

@@ -17,7 +17,7 @@ from insole_core.geometry.side import Side
 from insole_core.geometry.surface_path import shortest_path
 from insole_core.insole.elements import Correction
 from insole_core.insole.outline.shoe_outline import shoe_outline
-from insole_core.insole.prescription.lifts import heel_lift_mm
+from insole_core.insole.prescription.design_totals import heel_lift_mm
 from insole_core.pressure.laid_map import PlantarLayers
 from insole_studio.document.case import Case
 from insole_studio.document.case_names import choose_variant

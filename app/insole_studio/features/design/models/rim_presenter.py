@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.finishing.edge import Edge
-from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve
-from insole_core.insole.finishing.rim_edits import moved_station
+from insole_core.insole.finishing.rim_curve import PlacedStation, Rim, RimCurve, moved_station
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import HEADS_ALONG
 from insole_studio.document.case import Case

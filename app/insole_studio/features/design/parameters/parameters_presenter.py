@@ -11,7 +11,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.clinic_rules import ClinicRules
 from insole_core.insole.elements import Correction, Pelott, Posting
 from insole_core.insole.fields import Range
-from insole_core.insole.finishing.rim_edits import counted_from, replaced_station
+from insole_core.insole.finishing.rim_curve import counted_from, replaced_station
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.pressure.regions import RELIEF_KPA
 from insole_core.workflows.pad_library import LibraryPad, default_pelott

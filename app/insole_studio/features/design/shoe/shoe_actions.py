@@ -13,7 +13,7 @@ from insole_studio.texts import tr
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
     from insole_core.insole.prescription.design import InsoleDesign
-    from insole_core.insole.prescription.shoe import Shoe
+    from insole_core.insole.prescription.outline import Shoe
     from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog
 
 CHANNEL = "shoe"

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.errors import InputError
 from insole_core.insole.fields import ranges_of
-from insole_core.insole.prescription.shoe import Shoe
+from insole_core.insole.prescription.outline import Shoe
 from insole_core.insole.shoes.shoe_sizes import (
     LEAST_WIDTH_MM,
     MOST_WIDTH_MM,

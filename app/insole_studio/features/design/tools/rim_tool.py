@@ -12,9 +12,14 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.insole.fields import Place, ranges_of
-from insole_core.insole.finishing.heads_parabola import HeadsParabola
-from insole_core.insole.finishing.rim_curve import PlacedStation, Rim
-from insole_core.insole.finishing.rim_edits import added_station, moved_station, raised_station
+from insole_core.insole.finishing.rim_curve import (
+    PlacedStation,
+    Rim,
+    added_station,
+    moved_station,
+    raised_station,
+)
+from insole_core.insole.finishing.toe_zone import HeadsParabola
 from insole_core.insole.grips import place_at
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.trim_line import trim_points
