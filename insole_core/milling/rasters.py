@@ -1,4 +1,4 @@
-"""Lines along the block's length, and finishing in them."""
+"""Lines along the block's length, and finishing in them, with more lines where ridges stay."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.milling.added_lines import added_lines
 from insole_core.milling.drop_cutter import finishing_heights
-from insole_core.milling.machine import Cutter, Machine
+from insole_core.milling.machine import Cutter, Finishing, Machine
 from insole_core.milling.stock import Stock
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (
@@ -23,6 +22,14 @@ from insole_core.milling.tool_path import (
     without_collinear,
 )
 
+_GAP_MM = 0.02
+"""By which the cutter may be farther from the surface between two lines than on them."""
+_RIDGES = 2.0
+"""Height of ridges on a slope, of those on the level."""
+_JOINED_MM = 6.0
+_LONGER_MM = 0.75
+"""By which pieces begin before the place that needs them."""
+_RIM_MM = 0.4
 _CLOSE_MM = 0.003
 """By which straight pieces may leave a finishing path."""
 OVER_RIM = 0.95
@@ -34,6 +41,58 @@ _MORE = 2
 _LINK_LINES = 1
 _GONE = 10**6
 """Node of pieces that have been followed, far from all."""
+
+
+def _added_lines(surface: Surface, tips: FloatArray, how: Finishing) -> BoolArray:
+    """Find the nodes (nx, ny) between the lines of a raster to which the cutter must go too.
+
+    Parameters
+    ----------
+    tips : (nx, ny) float64, mm
+        Lowest tips of the cutter at all nodes. The raster takes every few lines.
+    """
+    every = surface.steps_in(how.step_over_mm)
+    needed = np.zeros(tips.shape, bool)
+    touched = _touches(surface, tips, how.cutter.radius_mm)
+    spans = [(0, every)]
+    while spans:
+        first, last = spans.pop()
+        middle = (first + last) // 2
+        if middle == first:
+            continue
+        spans += [(first, middle), (middle, last)]
+        lines = np.arange(0, tips.shape[0] - last, every)
+        share = (middle - first) / (last - first)
+        below, above = tips[lines + first], tips[lines + last]
+        across = (above - below) / ((last - first) * surface.step_mm)
+        along = np.gradient(tips[lines + middle], surface.step_mm, axis=1)
+        gap = below * (1 - share) + above * share - tips[lines + middle]
+        too_far = gap > _GAP_MM * np.sqrt(1 + across**2 + along**2)
+        wide = ((last - first) / every) ** 2 * (1 + across**2) > _RIDGES
+        needed[lines + middle] = (too_far | wide) & touched[lines + middle]
+    return _joined(needed, surface.step_mm)
+
+
+def _touches(surface: Surface, tips: FloatArray, radius_mm: float) -> BoolArray:
+    """Find the nodes at which the ball touches the solids off their rim."""
+    size = 2 * int(np.ceil(_RIM_MM / surface.step_mm)) + 1
+    within = cv2.erode(surface.inside.astype(np.uint8), np.ones((size, size), np.uint8)) > 0
+    slopes = np.gradient(tips, surface.step_mm)
+    steep = radius_mm / surface.step_mm / np.sqrt(1 + slopes[0] ** 2 + slopes[1] ** 2)
+    nodes = np.indices(tips.shape)
+    places = [
+        np.clip(np.rint(node + slope * steep).astype(int), 0, size - 1)
+        for node, slope, size in zip(nodes, slopes, tips.shape, strict=True)
+    ]
+    return np.asarray(within[places[0], places[1]])
+
+
+def _joined(needed: BoolArray, step_mm: float) -> BoolArray:
+    """Return pieces along the lines that are longer, and joined where little is between them."""
+    longer, gap = (2 * int(size / step_mm) + 1 for size in (_LONGER_MM, _JOINED_MM / 2))
+    grown = cv2.dilate(needed.astype(np.uint8), np.ones((1, longer), np.uint8))
+    closed = cv2.morphologyEx(grown, cv2.MORPH_CLOSE, np.ones((1, gap), np.uint8))
+    return np.asarray(closed > 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +159,7 @@ def finishing(
         way = raster.at(run.line, np.arange(run.start, run.end + 1))
         stock.write(way, writer, how.cutter, most_mm)
     _follow(raster, allowed[lines], writer)
-    added = added_lines(surface, tips, how) & allowed
+    added = _added_lines(surface, tips, how) & allowed
     whole = Raster(surface, how.cutter, np.arange(len(tips)), tips)
     _follow_pieces(whole, added, allowed, writer)
     on_lines = added.copy()

@@ -9,8 +9,14 @@ import numpy as np
 
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.milling.contours import Loop, contour, contour_loops, outermost
-from insole_core.milling.edges import EDGE_STEP_MM, ways_along_edge
+from insole_core.milling.contours import (
+    EDGE_STEP_MM,
+    Loop,
+    contour,
+    contour_loops,
+    outermost,
+    ways_along_edge,
+)
 from insole_core.milling.machine import FlipAxis, Machine
 from insole_core.milling.rasters import OVER_RIM, finishing
 from insole_core.milling.roughing import roughing

@@ -11,7 +11,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.milling.triangles import raise_to_triangles
+from insole_core.milling.drop_cutter import raise_to_triangles
 
 _SHARP_DEG = 5.0
 """An edge that is bent by more is touched by samples of its own."""

@@ -22,9 +22,9 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.milling.gcode import gcode, origin_mm
 from insole_core.milling.machine import Machine, read_machine, write_machine
-from insole_core.milling.motion_time import motion_minutes
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.milling.sides import turned_over
+from insole_core.milling.tool_path import motion_minutes
 from insole_core.resources import resource_path
 from insole_core.workflows.mill import write_program
 from tests.insole_core.milling.engagement import moves_of
