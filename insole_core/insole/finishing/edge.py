@@ -1,4 +1,4 @@
-"""The edge of an insole as a way round the foot, its places, and how far up the foot reaches there."""
+"""The edge of an insole as a way round the foot, its places, and how far the foot reaches up."""
 
 from __future__ import annotations
 

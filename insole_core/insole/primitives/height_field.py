@@ -1,4 +1,4 @@
-"""A surface over the (x, y)-plane: a height at every node of a grid, the heel and the heads on it."""
+"""A surface over the (x, y)-plane: a height at every node of a grid; heel and heads on it."""
 
 from __future__ import annotations
 

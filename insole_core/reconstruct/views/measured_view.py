@@ -1,4 +1,4 @@
-"""The measurement of one view before its sensor's pose is known: its frames, faults of its picture."""
+"""The measurement of one view before its sensor's pose is known, and the faults of its picture."""
 
 from __future__ import annotations
 

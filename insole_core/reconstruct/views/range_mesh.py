@@ -1,4 +1,4 @@
-"""The surface measured by one view: a lattice in the order of the depth image, and a coarse mesh."""
+"""The surface measured by one view: a lattice in order of the depth image, and a coarse mesh."""
 
 from __future__ import annotations
 
