@@ -1,5 +1,5 @@
 """The designed rim and toe zone, and the plate that joins them to the scan.
 
-``finished.finished`` does all of it, ``rim_curve.RimCurve`` is the curve of the rim, ``rim_curve``
-moves its stations.
+``finished.finished`` does all of it, ``rim_curve.RimCurve`` is the curve of the rim; its module
+moves its stations, too.
 """
