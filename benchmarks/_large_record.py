@@ -14,8 +14,8 @@ from insole_core.records.audit import hash_of_line
 from insole_core.records.author import TIME_FORMAT
 from insole_core.records.database import Database
 from insole_core.records.person import new_id, new_pseudonym
+from insole_core.records.person_matching import MOST_KEY, name_key_of, search_text_of, sort_key_of
 from insole_core.records.schema import FIRST_HASH, audit, audit_head, orders, persons, visits
-from insole_core.records.search_text import MOST_KEY, name_key_of, search_text_of, sort_key_of
 
 FIRST_NAMES: Final = [
     "Anna",

@@ -45,8 +45,8 @@ from insole_core.records.backup.backup_folder import (
     sealed,
 )
 from insole_core.records.backup.backup_key import BackupKey, open_key
-from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import restore
+from insole_core.records.backup.snapshot import check_backup, damaged_files
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import open_records

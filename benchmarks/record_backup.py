@@ -33,8 +33,8 @@ from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author, utc_now
 from insole_core.records.backup.back_up import back_up, set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
-from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import restore
+from insole_core.records.backup.snapshot import check_backup, damaged_files
 from insole_core.records.context import RecordsContext
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import open_records

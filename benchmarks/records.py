@@ -38,10 +38,9 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.side import Side
 from insole_core.records.audit_search import AuditFilter, authors_of_audit, search_audit
 from insole_core.records.author import Author
-from insole_core.records.person_matching import find_duplicates
+from insole_core.records.person_matching import find_duplicates, search_words
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import Records, open_records
-from insole_core.records.search_text import search_words
 from insole_core.records.visit import Visit
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape

@@ -1,14 +1,17 @@
-"""Reading files of unknown origin: only regular files, and never past a limit."""
+"""Reading files of unknown origin: only regular files, never past a limit; and their digests."""
 
 from __future__ import annotations
 
 import errno
+import hashlib
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from insole_core.errors import InputError, unreadable
-from insole_core.regular_file import read_regular
+from insole_core.progress import SILENT, Cancelled, Progress
+from insole_core.regular_file import blocks_of, open_regular, read_regular
 
 
 def read_given(path: Path, most_bytes: int) -> bytes:
@@ -52,3 +55,26 @@ def given_errors(path: Path, most_bytes: int) -> Iterator[None]:
                 limit_mb=most_bytes // 2**20,
             ) from error
         raise unreadable(path, error) from error
+
+
+def sha256_of(path: Path, limit: int = sys.maxsize, progress: Progress = SILENT) -> str:
+    """Return the SHA-256 of a regular file, in hexadecimal.
+
+    Parameters
+    ----------
+    limit
+        Most bytes that are read.
+
+    Raises
+    ------
+    OSError
+        When there is none, it cannot be read, or is larger.
+    Cancelled
+    """
+    digest = hashlib.sha256()
+    with open_regular(path) as file:
+        for block in blocks_of(file, limit):
+            digest.update(block)
+            if progress.is_cancelled():
+                raise Cancelled
+    return digest.hexdigest()

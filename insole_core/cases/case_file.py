@@ -13,10 +13,10 @@ from insole_core.cases.case_json import FORMAT, VERSION, case_from_json, case_to
 from insole_core.cases.case_record import FIRST_NAME, CaseRecord
 from insole_core.cases.stored_mesh import MAX_PART_BYTES, pack_mesh, unpack_mesh
 from insole_core.errors import InputError, unreadable
-from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import replacing_file
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.json_object import JsonObject
 from insole_core.strict_json import MOST_BYTES
 from insole_core.zip_archive import DamagedArchiveError, ZipArchive

@@ -30,9 +30,8 @@ from insole_core.export.shop_order import (
     is_plain_name,
     parse_shop_order,
 )
-from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
-from insole_core.given_file import given_errors, read_given
+from insole_core.given_file import given_errors, read_given, sha256_of
 from insole_core.json_object import JsonObject
 from insole_core.messages import Message, Value
 from insole_core.progress import SILENT, Progress

@@ -38,10 +38,10 @@ from insole_core.errors import InputError
 from insole_core.export.height_picture import HeightPicture, MappedHeights
 from insole_core.export.insole_drawing import DrawnInsole, SectionsPage, ViewsPage
 from insole_core.export.lettering import as_written, font_path
-from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import replacing_file
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
+from insole_core.given_file import sha256_of
 from insole_core.messages import Message, Translate
 from insole_core.resources import resource_path
 

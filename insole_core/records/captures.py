@@ -9,10 +9,9 @@ from typing import Any, Final
 from sqlalchemy import Connection, Row, func, insert, select, update
 
 from insole_core.errors import InputError, RecordsError
-from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import scratch_folder
 from insole_core.formats.file_formats import SCAN_SUFFIXES
-from insole_core.given_file import given_errors
+from insole_core.given_file import given_errors, sha256_of
 from insole_core.recording.writer import MANIFEST, pack_session
 from insole_core.records.author import program_version, utc_now
 from insole_core.records.capture import Capture, CaptureFacts

@@ -21,12 +21,11 @@ from pathlib import Path
 from typing import BinaryIO, Final
 
 from insole_core.errors import InputError, OutputError, RecordsError, Unreachable
-from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import make_private_folder, replacing_file
 from insole_core.files.file_safety import sync
 from insole_core.files.temporary import is_temporary
 from insole_core.files.write_errors import output_errors
-from insole_core.given_file import given_errors
+from insole_core.given_file import given_errors, sha256_of
 from insole_core.progress import SILENT, Progress
 from insole_core.regular_file import blocks_of, open_regular
 

@@ -14,14 +14,13 @@ from insole_core.folded_text import fold
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.records.person import Person, PersonSummary
-from insole_core.records.person_matching import PersonIndex, born_text, summary_of
+from insole_core.records.person_matching import PersonIndex, born_text, name_key_of, summary_of
 from insole_core.records.person_table import IMPORTED, NAME_PARTS, PersonRow, PersonRows
 from insole_core.records.persons import add_persons
 from insole_core.records.records import Records
 from insole_core.records.rights import Right
 from insole_core.records.rows import PERSON_FIELDS
 from insole_core.records.schema import audit_head, persons
-from insole_core.records.search_text import name_key_of
 
 _Line = tuple[str, str, str]
 """Key of a name, the field, and a line of it without case and accents."""

@@ -36,6 +36,7 @@ from insole_core.records.merging import (
     undo_merge,
 )
 from insole_core.records.person import Person, PersonSummary, new_pseudonym
+from insole_core.records.person_matching import search_words
 from insole_core.records.record_field import changed_fields, fields_of
 from insole_core.records.rights import Right
 from insole_core.records.rows import (
@@ -47,7 +48,6 @@ from insole_core.records.rows import (
     write_search_text,
 )
 from insole_core.records.schema import person_words, persons, visits
-from insole_core.records.search_text import search_words
 
 _LAST_CHARACTER: Final = "\U0010ffff"
 _MOST_VALUES: Final = 500

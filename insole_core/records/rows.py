@@ -24,6 +24,13 @@ from insole_core.records.order import (
     OrderSummary,
 )
 from insole_core.records.person import Person
+from insole_core.records.person_matching import (
+    MOST_KEY,
+    name_key_of,
+    search_text_of,
+    search_words,
+    sort_key_of,
+)
 from insole_core.records.schema import (
     audit_head,
     order_events,
@@ -32,13 +39,6 @@ from insole_core.records.schema import (
     orders,
     persons,
     visits,
-)
-from insole_core.records.search_text import (
-    MOST_KEY,
-    name_key_of,
-    search_text_of,
-    search_words,
-    sort_key_of,
 )
 from insole_core.records.visit import CaptureState, Visit
 

@@ -26,13 +26,12 @@ from insole_core.export.shop_order import (
     serial_number,
     write_shop_order,
 )
-from insole_core.file_digest import sha256_of
 from insole_core.files.temporary import make_folder, release, remove
 from insole_core.files.transaction import Transaction
 from insole_core.files.write_errors import output_errors
 from insole_core.formats.file_formats import role_of
 from insole_core.geometry.side import Side
-from insole_core.given_file import given_errors, read_given
+from insole_core.given_file import given_errors, read_given, sha256_of
 from insole_core.messages import Translate
 from insole_core.progress import SILENT, Progress
 from insole_core.records.author import program_version

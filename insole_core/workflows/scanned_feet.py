@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.cases.scan_source import NOTHING_SAID, ImportChoice, ScanSource
-from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.foot.foot_placement import find_foot
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.given_file import sha256_of
 from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress

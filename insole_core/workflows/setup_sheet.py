@@ -16,10 +16,10 @@ from insole_core.export.setup_paper import (
     SetupSheet,
     write_setup_paper,
 )
-from insole_core.file_digest import sha256_of
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.given_file import sha256_of
 from insole_core.insole.elements.words import duration_message, number_message
 from insole_core.messages import Message, Translate, joined
 from insole_core.milling.contours import dowel_places

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from insole_core.file_digest import sha256_of
+from insole_core.given_file import sha256_of
 from insole_core.progress import Cancelled, Progress
 
 

@@ -1,4 +1,4 @@
 """Backups: made, kept by a rule, checked, restored.
 
-``back_up.back_up``, ``back_up.KeepRule``, ``check.check_backup``, ``restore.restore``.
+``back_up.back_up``, ``back_up.KeepRule``, ``snapshot.check_backup``, ``restore.restore``.
 """

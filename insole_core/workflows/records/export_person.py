@@ -21,10 +21,10 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import DesignError, InputError, NotAllowed, RecordsError, Unreachable
 from insole_core.evaluation.report_files import write_html, write_pdf
 from insole_core.export.lettering import letters_note
-from insole_core.file_digest import sha256_of
 from insole_core.files.atomic import make_private_folder, replacing_folder, write_private
 from insole_core.formats.stl import write_stl
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.insole.build import build_insole
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress

@@ -22,7 +22,7 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import read_day
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError, RecordsError, Unreachable
-from insole_core.file_digest import sha256_of
+from insole_core.given_file import sha256_of
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.writer import MANIFEST

@@ -47,9 +47,8 @@ from insole_core.records.backup import restore as restoring
 from insole_core.records.backup.back_up import BackupReport, BackupSchedule, back_up, set_up_backups
 from insole_core.records.backup.backup_folder import HEAD_FILE, BackupFolder
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, WrongSecret, open_key
-from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
-from insole_core.records.backup.snapshot import open_snapshot
+from insole_core.records.backup.snapshot import check_backup, damaged_files, open_snapshot
 from insole_core.records.content_store import ContentStore
 from insole_core.records.context import RecordsContext
 from insole_core.records.database import Database

@@ -25,8 +25,8 @@ from insole_core.records.backup.backup_folder import (
     sealed,
 )
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, authenticate, open_key
-from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import restore
+from insole_core.records.backup.snapshot import check_backup, damaged_files
 from insole_core.records.context import RecordsContext
 from insole_core.records.place import RecordsPlace
 

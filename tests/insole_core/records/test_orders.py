@@ -14,8 +14,8 @@ from insole_core.cases.order_note import OrderNote
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import Conflict, InputError, RecordsError
 from insole_core.export.shop_order import OrderTerms
-from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.records import schema
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH, SESSION

@@ -19,8 +19,8 @@ from insole_core.records.backup.back_up import (
 )
 from insole_core.records.backup.backup_folder import BackupFolder, KnownSnapshot, SnapshotName
 from insole_core.records.backup.backup_key import BackupKey
-from insole_core.records.backup.check import check_backup, damaged_files
 from insole_core.records.backup.restore import restore
+from insole_core.records.backup.snapshot import check_backup, damaged_files
 from insole_core.records.context import RecordsContext
 from insole_core.records.place import RecordsPlace
 

@@ -29,9 +29,9 @@ from insole_core.export.shop_order import (
     ShopOrder,
     digest_of_order,
 )
-from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.order import Part

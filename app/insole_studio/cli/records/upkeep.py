@@ -15,7 +15,7 @@ from insole_studio.cli.records.arguments import add_place, opened, place_of
 from insole_studio.cli.records.secrets import add_secret_arguments, secret_of
 
 if TYPE_CHECKING:
-    from insole_core.records.backup.check import CheckReport
+    from insole_core.records.backup.snapshot import CheckReport
 
 
 def _add_verify_arguments(parser: argparse.ArgumentParser) -> None:
@@ -54,8 +54,7 @@ def _run_verify(arguments: argparse.Namespace, progress: Progress) -> None:
 
 def _check(arguments: argparse.Namespace, progress: Progress) -> tuple[dict[int, str], list[str]]:
     """Return the last line of the audit log that a backup knows, and what is wrong with it."""
-    from insole_core.records.backup.check import check_backup
-    from insole_core.records.backup.snapshot import open_snapshot
+    from insole_core.records.backup.snapshot import check_backup, open_snapshot
 
     secret = secret_of(arguments)
     manifest = open_snapshot(arguments.backup, secret).manifest

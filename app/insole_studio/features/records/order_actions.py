@@ -17,8 +17,8 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import Conflict, InputError, PersonErased, Unreachable
 from insole_core.export.shop_order import MOST_REVISIONS, OrderTerms, terms_from_json, terms_to_json
-from insole_core.file_digest import sha256_of
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.records.order import Order, OrderState, OrderSummary
 from insole_core.workflows.order_package import Ordered
 from insole_studio.document.clinic_record import RecordState

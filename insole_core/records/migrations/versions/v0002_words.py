@@ -5,7 +5,7 @@ from collections import defaultdict
 import sqlalchemy as sa
 from alembic import op
 
-from insole_core.records.search_text import MOST_KEY, name_key_of, search_text_of
+from insole_core.records.person_matching import MOST_KEY, name_key_of, search_text_of
 
 revision = "0002"
 down_revision = "0001"

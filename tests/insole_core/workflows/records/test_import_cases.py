@@ -11,9 +11,9 @@ from insole_core.cases.case_file import write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import InputError
-from insole_core.file_digest import sha256_of
 from insole_core.formats.stl import write_stl
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.insole.elements import Pelott
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.author import Author

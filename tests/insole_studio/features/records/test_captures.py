@@ -10,9 +10,9 @@ from pathlib import Path
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.scan_source import ScanSource
-from insole_core.file_digest import sha256_of
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
