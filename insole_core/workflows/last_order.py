@@ -16,7 +16,7 @@ from insole_core.insole.prescription.item_name import key_of
 from insole_core.milling.machine import Machine
 from insole_core.solids.print_presets import LEAST_PERCENT, MOST_PERCENT
 from insole_core.solids.shop import Block, Shop
-from insole_core.workflows.clinic_blocks import ClinicBlocks
+from insole_core.workflows.clinic_tables import ClinicBlocks
 from insole_core.workflows.make_order import OrderChoice, Package
 from insole_core.workflows.mill import MillingChoice
 from insole_core.workflows.named_files import NamedFiles

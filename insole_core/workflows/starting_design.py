@@ -24,7 +24,7 @@ from insole_core.insole.prescription.template import Template, apply_template, m
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.workflows.clinic_devices import DefaultDevice, clinic_devices, default_device
-from insole_core.workflows.clinic_materials import ClinicMaterials
+from insole_core.workflows.clinic_tables import ClinicMaterials
 from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_core.workflows.foot_landmarks import landmarks_of
 

@@ -86,7 +86,7 @@ def materials(path: Path | None) -> MaterialTable:
         When the file cannot be read.
     """
     from insole_core.insole.prescription.materials import read_materials
-    from insole_core.workflows.clinic_materials import ClinicMaterials
+    from insole_core.workflows.clinic_tables import ClinicMaterials
     from insole_studio.user_paths import UserPaths
 
     if path is not None:

@@ -35,7 +35,7 @@ from insole_core.insole.prescription.prescription_lines import make_facts
 from insole_core.insole.prescription.shell import Post, Shell
 from insole_core.insole.warnings.design_warnings import design_warnings
 from insole_core.solids.solid import insole_solid
-from insole_core.workflows.clinic_materials import ClinicMaterials
+from insole_core.workflows.clinic_tables import ClinicMaterials
 
 SHORT = Outline(extent="three_quarter")
 THIN = Pelott(centre_mm=(0.0, 38.0), height_mm=-5.0, length_mm=30, width_mm=25)

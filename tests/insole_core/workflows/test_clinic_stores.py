@@ -9,8 +9,7 @@ import pytest
 from insole_core.errors import InputError, OutputError
 from insole_core.solids.export_rules import read_rules
 from insole_core.solids.shop import read_shop
-from insole_core.workflows.clinic_blocks import ClinicBlocks
-from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.clinic_tables import ClinicBlocks, ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 

@@ -23,7 +23,7 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.warnings.finish_warnings import finish_warnings
 from insole_core.scans.scale import KnownFootLength
 from insole_core.workflows.clinic_devices import clinic_devices, find_device
-from insole_core.workflows.clinic_materials import ClinicMaterials
+from insole_core.workflows.clinic_tables import ClinicMaterials
 from insole_core.workflows.import_scan import ScanExamination, examine_scan, take_foot
 from insole_core.workflows.open_scan import open_scan
 from insole_core.workflows.scanned_feet import ScannedFoot

@@ -45,7 +45,7 @@ from insole_core.solids.order import Part
 from insole_core.solids.order_number import new_order_number
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
-from insole_core.workflows.clinic_blocks import ClinicBlocks, require_names
+from insole_core.workflows.clinic_tables import ClinicBlocks, require_names
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.make_order import (
     OrderChoice,

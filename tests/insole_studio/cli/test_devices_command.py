@@ -19,7 +19,7 @@ from insole_core.insole.prescription.device import device_of
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.clinic_devices import DefaultDevice, clinic_devices
-from insole_core.workflows.clinic_materials import ClinicMaterials
+from insole_core.workflows.clinic_tables import ClinicMaterials
 from insole_studio.cli.main import run
 from insole_studio.user_paths import UserPaths
 

@@ -17,7 +17,7 @@ from insole_core.insole.elements import BrushStroke, HeelSkive, Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.workflows.clinic_findings import ClinicFindings
-from insole_core.workflows.clinic_materials import ClinicMaterials
+from insole_core.workflows.clinic_tables import ClinicMaterials
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.devices.devices_view import DevicesView
 from insole_studio.features.design.devices.materials_dialog import MaterialsDialog

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.errors import InputError
 from insole_core.solids.shop import Block
-from insole_core.workflows.clinic_blocks import require_names
+from insole_core.workflows.clinic_tables import require_names
 from insole_studio.texts import tr
 from insole_studio.widgets.form_parts import plain_button
 from insole_studio.widgets.icons import icon

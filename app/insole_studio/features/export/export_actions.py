@@ -22,9 +22,7 @@ from insole_core.insole.prescription.item_name import key_of
 from insole_core.progress import Progress
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
-from insole_core.workflows.clinic_blocks import ClinicBlocks
-from insole_core.workflows.clinic_export_rules import ClinicExportRules
-from insole_core.workflows.clinic_materials import ClinicMaterials
+from insole_core.workflows.clinic_tables import ClinicBlocks, ClinicExportRules, ClinicMaterials
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import Package
 from insole_core.workflows.mill import clinic_machines

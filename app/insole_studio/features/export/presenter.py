@@ -28,8 +28,7 @@ from insole_core.solids.order import Part
 from insole_core.solids.order_number import new_order_number
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, Shop
-from insole_core.workflows.clinic_blocks import ClinicBlocks
-from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.clinic_tables import ClinicBlocks, ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import (
     OrderChoice,

@@ -9,8 +9,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.milling.machine import Machine
 from insole_core.solids.shop import Shop
-from insole_core.workflows.clinic_blocks import ClinicBlocks
-from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.clinic_tables import ClinicBlocks, ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.named_files import NamedFiles
 from insole_studio.document.case import Case

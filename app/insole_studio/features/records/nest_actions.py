@@ -45,7 +45,7 @@ class NestActions(QObject):
     def ask(self, orders: Sequence[OrderSummary]) -> None:
         """Ask which of the orders are nested, and how."""
         from insole_core.solids.shop import read_shop
-        from insole_core.workflows.clinic_blocks import ClinicBlocks
+        from insole_core.workflows.clinic_tables import ClinicBlocks
         from insole_core.workflows.mill import clinic_machines
         from insole_studio.features.records.nest_dialog import NestDialog
 

@@ -23,7 +23,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.shop import Block
-from insole_core.workflows.clinic_blocks import ClinicBlocks
+from insole_core.workflows.clinic_tables import ClinicBlocks
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.export.blocks_dialog import BlocksDialog
 from insole_studio.features.export.order_form import OrderForm

@@ -24,8 +24,7 @@ from insole_core.insole.prescription.materials import read_materials
 from insole_core.resources import resource_path
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
-from insole_core.workflows.clinic_blocks import ClinicBlocks
-from insole_core.workflows.clinic_export_rules import ClinicExportRules
+from insole_core.workflows.clinic_tables import ClinicBlocks, ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_core.workflows.mill import MillingChoice, clinic_machines

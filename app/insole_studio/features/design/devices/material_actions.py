@@ -11,7 +11,7 @@ from insole_core.insole.prescription.materials import (
     read_materials,
     with_least_thickness,
 )
-from insole_core.workflows.clinic_materials import ClinicMaterials, export_materials
+from insole_core.workflows.clinic_tables import ClinicMaterials, export_materials
 from insole_studio.document.material_model import MaterialModel
 from insole_studio.features.design.devices.materials_dialog import MaterialsDialog
 from insole_studio.services.app_services import AppServices
