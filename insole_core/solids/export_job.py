@@ -39,10 +39,10 @@ from insole_core.solids.checks import (
     survey_heights,
 )
 from insole_core.solids.order import Part, nest_parts
-from insole_core.solids.part_outlines import block_outline, mark_text, outlines_of
 from insole_core.solids.prescription_paper import NOBODY, Responsible, write_prescription_paper
 from insole_core.solids.print_density import PrintedDensities
 from insole_core.solids.shop import Block, Shop
+from insole_core.solids.silhouette import block_outline, mark_text, outlines_of
 from insole_core.solids.zone_bodies import ZonedPart, placed_print
 
 # `paper` is imported by the functions that write one: it brings reportlab and matplotlib.

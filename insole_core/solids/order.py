@@ -21,8 +21,7 @@ from insole_core.solids.export_rules import CHECK_NAMES, CheckName, ExportRules,
 from insole_core.solids.layers import layer_parts
 from insole_core.solids.marking import Relief, mark
 from insole_core.solids.nesting import Nest, closest_nest, nest_pair
-from insole_core.solids.posts import INSET_MM, post_length_mm
-from insole_core.solids.shell_body import least_thickness
+from insole_core.solids.shell_body import INSET_MM, least_thickness, post_length_mm
 from insole_core.solids.shop import Shop
 from insole_core.solids.simplification import Simplified, simplify
 from insole_core.solids.solid import DEFAULT_OPTIONS, Kind, SolidOptions, edge_notes, make_solid

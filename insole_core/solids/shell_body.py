@@ -1,10 +1,11 @@
-"""The body of an insole between its two faces: underside, posts, taper, least thickness, edge."""
+"""The body of an insole between its two faces: underside, posts, taper, thickness, front edge."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
@@ -12,21 +13,141 @@ from insole_core.insole.elements.rocker import LEAST_LEFT_MM
 from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import material_of
-from insole_core.insole.prescription.shell import LONGEST_TAPER, Shell
+from insole_core.insole.prescription.shell import LONGEST_TAPER, Post, Shell
 from insole_core.insole.primitives.blending import smooth_hinge, smooth_step
-from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.primitives.height_field import HeightField, ahead_of_heads_mm
+from insole_core.insole.primitives.outline_curve import evenly_spread
 from insole_core.insole.surface.rocker import eased, rocker_heights_mm
 from insole_core.solids.ball_offset import PITCH_MM, parallel_below
-from insole_core.solids.front_edge import behind_front_mm
-from insole_core.solids.posts import PostPlan, behind_heads_mm, post_underside
 from insole_core.solids.prism import Walls
 from insole_core.solids.rounded_edge import RoundedEdge, edge_contours_mm
 from insole_core.solids.solid_outline import OutlineDistance, outline_of
 
+_AHEAD = 0.6  # y of the outward normal: the front edge turns by at most 53 degrees
+_STEEPEST = np.sqrt(1 - _AHEAD**2) / _AHEAD
+_PITCH_MM, _SIGMA_MM = 0.5, 3.0
+INSET_MM = 5.0
+"""How far the foot of a post's wall lies inside the edge of the insole."""
+POST_BAND_MM = 14.0
+"""Beyond this distance from the edge of the insole the foot of every post's wall is reached."""
+_WALL = np.radians(65.0)  # of the walls against the ground
+_CORNER_MM = 8.0  # radius of the corners, seen from above
+_AHEAD_OF_HEADS_MM = 8.0
+_USUAL_LENGTH = {"rearfoot": 0.25, "forefoot": 0.12}  # shares of the foot's length
 _LOSS = 0.1  # of a step of the grid, by which triangles between bent faces lie nearer
 _FILLET_MM = (0.5, 8.0)
 """Difference of height within which the wall of a post is rounded into the shell above it, least
 and greatest: as much as the shell is above the ground, so that the post's sole does not grow."""
+
+
+def behind_front_mm(outline: FloatArray, field: HeightField) -> FloatArray:
+    """Measure how far the nodes of a field lie behind the front edge of an outline.
+
+    The distance is exact along a straight edge and to first order along a bent one. It has no
+    creases, unlike the distance to the nearest point; beside the front edge it goes on straight.
+
+    Parameters
+    ----------
+    outline : (n, 2) float64, mm, frame of `field`
+        Counter-clockwise; the first point is not repeated.
+
+    Returns
+    -------
+    (ny, nx) float64, mm
+        Negative ahead of the edge.
+    """
+    x, y = _front(outline).T
+    front = np.interp(field.x_mm, x, y)
+    ends = (y[1] - y[0]) / (x[1] - x[0]), (y[-1] - y[-2]) / (x[-1] - x[-2])
+    slopes = np.clip(ends, -_STEEPEST, _STEEPEST)
+    front += slopes[0] * np.minimum(field.x_mm - x[0], 0)
+    front += slopes[1] * np.maximum(field.x_mm - x[-1], 0)
+    sigma = _SIGMA_MM / field.step_mm
+    slope = scipy.ndimage.gaussian_filter1d(
+        np.gradient(front, field.step_mm), sigma, mode="nearest"
+    )
+    return np.asarray((front - field.y_mm[:, None]) / np.hypot(1.0, slope))
+
+
+def _front(outline: FloatArray) -> FloatArray:
+    """Return the points (n, 2) about the foremost one whose normals point ahead, by x."""
+    length_mm = np.hypot(*(np.roll(outline, -1, axis=0) - outline).T).sum()
+    points = evenly_spread(outline, max(int(length_mm / _PITCH_MM), 16))
+    points = np.roll(points, -int(points[:, 1].argmax()), axis=0)
+    along = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
+    ahead = -along[:, 0] / np.hypot(*along.T) > _AHEAD
+    onward, back = (_run(run) for run in (ahead, ahead[:0:-1]))
+    edge = np.concatenate([points[len(points) - back :], points[:onward]])[::-1]
+    edge = np.asarray(edge[np.concatenate([[True], np.diff(edge[:, 0]) > 0])])
+    if len(edge) > 1:
+        return edge
+    return np.asarray(points[0] + [[-_PITCH_MM, 0.0], [_PITCH_MM, 0.0]])  # a sharp tip
+
+
+def _run(holds: FloatArray) -> int:
+    """Return for how many values from the first one on a condition holds."""
+    return int(holds.argmin()) if not holds.all() else len(holds)
+
+
+@dataclass(frozen=True, eq=False)
+class _PostPlan:
+    """Where posts may stand: distances at the nodes of a field, mm.
+
+    Parameters
+    ----------
+    inside : (ny, nx) float64
+        From the edge of the insole.
+    before_heel : (ny, 1) float64
+        From the rear end of the insole.
+    behind_front : (ny, nx) float64
+        From the front end of a forefoot post.
+    """
+
+    inside: FloatArray
+    before_heel: FloatArray
+    behind_front: FloatArray
+
+
+def post_length_mm(post: Post, foot_length_mm: float) -> float:
+    """Return the length of a post: its own, or the usual one of its region."""
+    if post.length_mm is not None:
+        return post.length_mm
+    return _USUAL_LENGTH[post.region] * foot_length_mm
+
+
+def _post_underside(post: Post, plan: _PostPlan, foot_length_mm: float) -> FloatArray:
+    """Return the height of a post's underside and walls over the ground, (ny, nx), mm.
+
+    Its walls go on rising beside it, so that the lower one of this and of a shell's underside is
+    the underside of both.
+    """
+    length_mm = post_length_mm(post, foot_length_mm)
+    sides = [plan.inside - INSET_MM]
+    if post.region == "rearfoot":
+        sides.append(length_mm - plan.before_heel)
+    else:
+        sides += [plan.behind_front, length_mm - plan.behind_front]
+    return _wall_mm(_rounded_inside(sides), post.edge_radius_mm)
+
+
+def behind_heads_mm(insole: Insole, field: HeightField) -> FloatArray:
+    """Return how far nodes lie behind a line ahead of the heads 1 and 5, (ny, nx), mm."""
+    return np.asarray(_AHEAD_OF_HEADS_MM - ahead_of_heads_mm(insole.foot, field))
+
+
+def _rounded_inside(sides: list[FloatArray]) -> FloatArray:
+    """Return the distance inside an area, from those inside its sides; its corners are round."""
+    short = [np.maximum(_CORNER_MM - side, 0) for side in sides]
+    return np.asarray(_CORNER_MM - np.sqrt(sum(s * s for s in short)))
+
+
+def _wall_mm(inside_mm: FloatArray, radius_mm: float) -> FloatArray:
+    """Return the height of ground and wall at distances inside the foot of the wall."""
+    begin = radius_mm * np.tan(_WALL / 2)
+    end = begin - radius_mm * np.sin(_WALL)
+    on_arc = np.clip(begin - inside_mm, 0, begin - end)
+    arc = radius_mm - np.sqrt(np.maximum(radius_mm**2 - on_arc**2, 0))
+    return np.asarray(arc + np.tan(_WALL) * np.maximum(end - inside_mm, 0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,8 +204,8 @@ class BodyPlan:
         if shell.posts and design.outline.extent != "three_quarter":
             front = behind_heads_mm(insole, field)
         heel = field.y_mm[:, None] - outline[:, 1].min()
-        places = PostPlan(edge.inside_mm, heel, front)
-        posts = tuple(post_underside(post, places, length_mm) for post in shell.posts)
+        places = _PostPlan(edge.inside_mm, heel, front)
+        posts = tuple(_post_underside(post, places, length_mm) for post in shell.posts)
         return cls(design, ground, rise, taper, posts)
 
     @property

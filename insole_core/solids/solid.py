@@ -17,9 +17,9 @@ from insole_core.insole.prescription.shell import Shell
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.solids.posts import POST_BAND_MM
 from insole_core.solids.prism import Faces, Prism, band_mm
 from insole_core.solids.shell_body import (
+    POST_BAND_MM,
     Body,
     BodyPlan,
     bends_mm,

@@ -40,9 +40,8 @@ from insole_core.scans.cleaning import merged
 from insole_core.solids.checks import survey_heights
 from insole_core.solids.export_job import ExportPaths, standing
 from insole_core.solids.marking import mark
-from insole_core.solids.part_outlines import block_outline, mark_text
 from insole_core.solids.shop import Block
-from insole_core.solids.silhouette import silhouette
+from insole_core.solids.silhouette import block_outline, mark_text, silhouette
 from insole_core.workflows.mill import MillingChoice, write_milling
 from insole_core.zip_archive import ZipArchive
 

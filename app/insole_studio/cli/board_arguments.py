@@ -78,8 +78,8 @@ def read_correspondences(
     ------
     InsoleError
     """
-    from insole_core.evaluation.board_points import board_correspondences
     from insole_core.evaluation.color_points import load_correspondences
+    from insole_core.evaluation.distances import board_correspondences
     from insole_core.workflows.calibration.steps import find_infrared_pairs
 
     place: Path = arguments.folder

@@ -62,7 +62,7 @@ def _measure_boards(
 ) -> ObjectEvaluation:
     from insole_core.calibration.boards.boards_in_depth import read_boards_in_depth
     from insole_core.calibration.boards.intrinsics import find_boards
-    from insole_core.evaluation.board_points import evaluate_boards
+    from insole_core.evaluation.distances import evaluate_boards
     from insole_core.workflows.calibration.steps import (
         COLOR,
         board_pictures,

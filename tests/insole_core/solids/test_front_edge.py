@@ -7,7 +7,7 @@ import pytest
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.primitives.height_field import HeightField
-from insole_core.solids.front_edge import behind_front_mm
+from insole_core.solids.shell_body import behind_front_mm
 
 FIELD = HeightField(-60.0, -10.0, 1.0, np.zeros((221, 121)))
 
