@@ -1,14 +1,26 @@
-"""Where captures come from: the sensors of this computer, or those that a session plays."""
+"""Where captures come from: the sensors of this computer, or a recorded session that plays them."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+import cv2
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.reader import read_session
-from insole_core.recording.session import Session
-from insole_studio.acquisition.capture_plan import CaptureStep
+from insole_core.recording.session import Session, View
+from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
+from insole_core.sensing.sensor import Sensor
+from insole_studio.acquisition.capture_plan import (
+    MOST_BURSTS,
+    CaptureStep,
+    burst_tilt_deg,
+    burst_view,
+)
 from insole_studio.acquisition.capture_setup import (
     CaptureSetup,
     SensorFiles,
@@ -16,10 +28,141 @@ from insole_studio.acquisition.capture_setup import (
     recorded_setup,
 )
 from insole_studio.acquisition.driver_values import translating
-from insole_studio.acquisition.emulated_rig import EmulatedRig, emulated_bursts, emulated_views
 from insole_studio.acquisition.rig import Rig
 from insole_studio.acquisition.warm_up import WarmUps
+from kinect_v1.calibration import Calibration, ZeroPlane
+from kinect_v1.emulation.bus import EmulatedBus
+from kinect_v1.emulation.device import EmulatedKinect, Footage
+from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
+from kinect_v1.models import Model
+from kinect_v1.pixels import mosaic
 from kinect_v1.usb_bus import UsbBus, system_bus
+
+_INFRARED_SIZE = (640, 488)
+_CUT_ROWS = 32
+"""Rows that a picture of 1280 × 960 lacks at top and bottom compared with 1280 × 1024."""
+
+
+class EmulatedRig:
+    """One emulated sensor for each serial number of a session, each on its own USB controller.
+
+    A sensor that recorded several views was either tilted by its motor, if the views are named like
+    bursts (``left``, ``left_2``), or moved by hand. The emulated sensor therefore plays the view of
+    its present tilt at its present position, which initially is that of its first view.
+
+    Parameters
+    ----------
+    speed
+        Factor on the sensors' clock; 1 = real time.
+    """
+
+    def __init__(self, session: Session, speed: float = 1.0) -> None:
+        self._scenes = {
+            place: {burst_tilt_deg(burst): _footage(view) for burst, view in enumerate(bursts)}
+            for place, bursts in _bursts_by_place(session).items()
+        }
+        self._serials = dict(emulated_views(session))
+        self._kinects: dict[str, EmulatedKinect] = {}
+        sensors = {view.name: view.sensor for view in session.views}
+        for place, serial in self._serials.items():
+            if serial not in self._kinects:
+                self._kinects[serial] = _kinect(sensors[place], self._scenes[place])
+        self.bus = EmulatedBus(list(self._kinects.values()), speed=speed)
+
+    def put(self, serial: str, place: str) -> None:
+        """Move a sensor to the position of a view, as somebody would by hand.
+
+        Parameters
+        ----------
+        place
+            Name of the view without the number of the burst.
+        """
+        if self._serials.get(place) == serial:
+            self._kinects[serial].face(self._scenes[place])
+
+
+def emulated_views(session: Session) -> tuple[tuple[str, str], ...]:
+    """Return view and serial number of each position, without further bursts."""
+    places = _bursts_by_place(session).items()
+    return tuple((place, views[0].sensor.serial) for place, views in places)
+
+
+def emulated_bursts(session: Session) -> int:
+    """Return how many bursts every view has."""
+    return min(MOST_BURSTS, *map(len, _bursts_by_place(session).values()))
+
+
+def _bursts_by_place(session: Session) -> dict[str, list[View]]:
+    """Return the views of each position, further bursts after the first."""
+    left = {view.name: view for view in session.views}
+    places: dict[str, list[View]] = {}
+    for view in session.views:
+        if view.name not in left:
+            continue
+        bursts = places[view.name] = [left.pop(view.name)]
+        while (other := left.get(burst_view(view.name, len(bursts)))) is not None:
+            if other.sensor.serial != view.sensor.serial:
+                break
+            bursts.append(left.pop(other.name))
+    return places
+
+
+def _kinect(sensor: Sensor, scenes: Mapping[float, Footage]) -> EmulatedKinect:
+    calibration = factory_calibration(sensor)
+    kinect = EmulatedKinect(Model.XBOX_1414, sensor.serial, calibration, scenes[0.0])
+    kinect.face(scenes)
+    return kinect
+
+
+def _footage(view: View) -> dict[str, list[bytes]]:
+    depth = [view.read_depth(index) for index in range(view.depth_count)]
+    mosaics = [mosaic(_whole(view.read_color(index))) for index in range(view.color_count)]
+    infrared = [_in_grey(view.read_color(index)) for index in range(view.color_count)]
+    return make_footage(depth, mosaics, infrared)
+
+
+def _in_grey(color: ByteArray) -> RawArray:
+    """Return a colour picture as an infrared one, (488, 640), which no session contains."""
+    grey = cv2.resize(cv2.cvtColor(color, cv2.COLOR_RGB2GRAY), _INFRARED_SIZE)
+    return 4 * grey.astype(np.uint16)
+
+
+def _whole(color: ByteArray) -> ByteArray:
+    if color.shape[:2] != (960, 1280):
+        return color
+    return np.pad(color, ((_CUT_ROWS, _CUT_ROWS), (0, 0), (0, 0)))
+
+
+def factory_calibration(sensor: Sensor) -> Calibration:
+    """Return the factory values of a device that measures as a sensor does.
+
+    With the constant shift fixed (the device stores an integer), focal length, slope and offset
+    of 1 / Z over the raw number determine the other three: D, p = D / (2 f), and the baseline b.
+    """
+    slope_offset = _inverse_depth(sensor.disparity)
+    if slope_offset is None:
+        return TYPICAL_CALIBRATION
+    slope, offset = slope_offset
+    shift = TYPICAL_CALIBRATION.constant_shift
+    distance_mm = 1 / (offset + (4 * shift + 1.5) * slope)
+    plane = ZeroPlane(
+        emitter_distance_cm=1 / (-80 * sensor.depth_camera.fx * slope),
+        rgb_distance_cm=TYPICAL_CALIBRATION.zero_plane.rgb_distance_cm,
+        reference_distance_cm=distance_mm / 10,
+        reference_pixel_cm=distance_mm / (20 * sensor.depth_camera.fx),
+    )
+    typical = TYPICAL_CALIBRATION
+    return Calibration(plane, typical.registration, typical.padding, shift)
+
+
+def _inverse_depth(model: DisparityModel) -> tuple[float, float] | None:
+    """Return slope and offset of 1 / Z over the raw number; None if it is not a straight line."""
+    if not isinstance(model, FactoryDisparity | LinearInverseDisparity):
+        return None
+    low, high = 400.0, 900.0
+    at_low, at_high = (1 / float(model.depth_mm(np.array(raw))) for raw in (low, high))
+    slope = (at_high - at_low) / (high - low)
+    return slope, at_low - low * slope
 
 
 @dataclass(frozen=True)

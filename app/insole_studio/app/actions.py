@@ -14,7 +14,7 @@ from insole_studio.features.case_files.case_files import CASE_FILE_ACTIONS
 from insole_studio.features.clinic.actions import CLINIC_ACTIONS
 from insole_studio.features.compare.compare_window import COMPARE_ACTIONS
 from insole_studio.features.design.actions import DESIGN_ACTIONS
-from insole_studio.features.export.actions import EXPORT_ACTIONS
+from insole_studio.features.export.export_actions import EXPORT_ACTIONS
 from insole_studio.features.records.actions import RECORD_ACTIONS
 from insole_studio.services.action_record import ActionRecord
 

@@ -50,8 +50,7 @@ from insole_studio.log_file import log_to
 from insole_studio.native_heap import return_freed_memory
 from insole_studio.services.app_services import AppServices, is_dark
 from insole_studio.services.files import LastFolders, RecentFiles
-from insole_studio.services.notices import Notices
-from insole_studio.services.user_messages import UserMessages
+from insole_studio.services.user_messages import Notices, UserMessages
 from insole_studio.settings import Settings, load_settings
 from insole_studio.stop_signals import STOP_SIGNALS, is_switched_off
 from insole_studio.texts import load_language

@@ -31,7 +31,7 @@ from insole_studio.acquisition.examined_sensors import (
 )
 from insole_studio.app.graphics import LEAST_OPENGL, Graphics
 from insole_studio.document.record_location import RecordLocation, location_of_window
-from insole_studio.features.clinic.backup_reminder import is_overdue
+from insole_studio.features.clinic.backups import is_overdue
 from insole_studio.settings import load_settings, peek_settings
 from insole_studio.user_paths import UserPaths
 

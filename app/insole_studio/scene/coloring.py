@@ -1,4 +1,4 @@
-"""Values on a surface as colours: perceptually uniform maps, white at zero for signed values."""
+"""Values on a surface: as colours, perceptually uniform, and as contour lines that show its form."""
 
 from __future__ import annotations
 
@@ -6,18 +6,27 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+import scipy
 
 from insole_core.foot.display_surface import DisplaySurface
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.texts import tr
+from insole_core.geometry.sections import level_lines
+from insole_studio.texts import localised, tr
 
 MISSING = "#a9a9a9"
 """Colour of what has no value."""
-
 _VIRIDIS = ("#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725")
 _FROM_LIGHT = ("#fff7ec", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
 _SIGNED = ("#2166ac", "#67a9cf", "#f7f7f7", "#ef8a62", "#b2182b")
+STEP_MM = 1.0
+_STRONG = 5
+"""Every fifth line is drawn stronger, and labelled."""
+_STEEPEST_DEG, _STEEPEST_STRONG_DEG = 25.0, 50.0
+"""Steeper than this, lines 1 mm and 5 mm apart would merge to a dark band."""
+_STEEPEST_LABEL_DEG = 25.0
+_LABEL_ROOM_MM, _LABEL_GAP_MM = 5.0, 22.0
+"""Least distance of a label from the rim and the lines of other levels, and from other labels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,3 +109,70 @@ def on_display(
     is_known = bool(np.isfinite(coloring.values).all())  # else grey means other things as well
     missing = tr("not measured") if is_known and surface.is_filled.any() else ""
     return mesh, replace(coloring, values=values, missing=missing)
+
+
+@dataclass(frozen=True, eq=False)
+class ContourLines:
+    """Lines of equal height, ready to be drawn.
+
+    Parameters
+    ----------
+    thin, strong : (k, 2, 3) float64, mm, insole frame
+        Segments of the lines.
+    labels
+        Places (3,) on strong lines, mm, and the heights there as text.
+    """
+
+    thin: FloatArray
+    strong: FloatArray
+    labels: tuple[tuple[FloatArray, str], ...]
+
+
+def contour_lines(
+    vertices: FloatArray, normals: FloatArray, triangles: IndexArray, rim: BoolArray
+) -> ContourLines:
+    """Draw a line every millimetre of height where the surface is not steep, numbers included.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float64, mm, insole frame
+    normals : (n, 3) float64
+        Unit normals.
+    triangles : (m, 3) int32
+        Of the contact surface.
+    rim : (n,) bool
+        Whether a vertex lies at its edge.
+    """
+    lines = level_lines(vertices, triangles, STEP_MM)
+    upward = normals[triangles[lines.triangle], 2].mean(axis=1)
+    is_strong = lines.number % _STRONG == 0
+    thin = ~is_strong & (upward > _cos(_STEEPEST_DEG))
+    strong = is_strong & (upward > _cos(_STEEPEST_STRONG_DEG))
+    gentle = upward[strong] > _cos(_STEEPEST_LABEL_DEG)
+    labels = _labels(
+        lines.segments[strong].mean(axis=1), lines.number[strong], gentle, vertices[rim]
+    )
+    return ContourLines(lines.segments[thin], lines.segments[strong], labels)
+
+
+def _labels(
+    places: FloatArray, number: IntArray, gentle: BoolArray, rim: FloatArray
+) -> tuple[tuple[FloatArray, str], ...]:
+    """Put a label where a line is furthest from rim and other levels, if there is room."""
+    labels: list[tuple[FloatArray, str]] = []
+    for level in np.unique(number[gentle]):
+        here = places[gentle & (number == level)]
+        others = places[number != level]
+        around = np.concatenate([others, rim])[:, :2]
+        room = np.asarray(scipy.spatial.cKDTree(around).query(here[:, :2])[0])
+        for place, _ in labels:
+            near = np.linalg.norm(here[:, :2] - place[:2], axis=1) < _LABEL_GAP_MM
+            room[near] = 0.0
+        best = int(room.argmax())
+        if room[best] >= _LABEL_ROOM_MM:
+            labels.append((here[best], localised(level * STEP_MM, "g")))
+    return tuple(labels)
+
+
+def _cos(angle_deg: float) -> float:
+    return float(np.cos(np.radians(angle_deg)))

@@ -15,8 +15,7 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.coloring import MISSING, Coloring
-from insole_studio.scene.contour_lines import ContourLines
+from insole_studio.scene.coloring import MISSING, Coloring, ContourLines
 from insole_studio.scene.name_tags import (
     NameTags,
     is_across_view,

@@ -17,8 +17,7 @@ from insole_studio.document.record_keeper import RecordKeeper
 from insole_studio.document.record_maintenance import ErasedLeftovers
 from insole_studio.jobs import Jobs, Result, Task
 from insole_studio.services.files import RecentFiles
-from insole_studio.services.notices import Notices
-from insole_studio.services.user_messages import UserMessages
+from insole_studio.services.user_messages import Notices, UserMessages
 from insole_studio.settings import Settings, Theme, save_settings
 from insole_studio.user_paths import UserPaths
 

@@ -19,13 +19,13 @@ from insole_core.sensing.disparity import (
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.driver_values import factory_sensor, usual_sensor
-from insole_studio.acquisition.emulated_rig import (
+from insole_studio.acquisition.rig import OpenSensor, Rig, raw_image
+from insole_studio.acquisition.sensor_source import (
     EmulatedRig,
     emulated_bursts,
     emulated_views,
     factory_calibration,
 )
-from insole_studio.acquisition.rig import OpenSensor, Rig, raw_image
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION
 from kinect_v1.streams import Frame
 from kinect_v1.usb_bus import UsbBus

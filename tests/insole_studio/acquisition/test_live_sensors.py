@@ -11,9 +11,9 @@ from capture_samples import SERIALS, Bench
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.reader import read_session
-from insole_studio.acquisition.emulated_rig import EmulatedRig
 from insole_studio.acquisition.live_sensors import LiveSensors
 from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_source import EmulatedRig
 from kinect_v1.usb_bus import UsbBus
 from tests.patience import wait_for
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.scene.contour_lines import ContourLines, contour_lines
+from insole_studio.scene.coloring import ContourLines, contour_lines
 
 
 def bowl(steep: float) -> TriangleMesh:

@@ -12,8 +12,7 @@ import pyvista as pv
 
 from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.side import Side
-from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.contour_lines import ContourLines
+from insole_studio.scene.coloring import Coloring, ContourLines
 from insole_studio.scene.guide_lines import NameLabel
 from insole_studio.scene.painter import Painter, direction_words
 from insole_studio.scene.pointer import Handle, MarkedPoint

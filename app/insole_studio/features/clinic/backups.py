@@ -1,4 +1,4 @@
-"""Backups of the record: now, and on a schedule, with a notice when one has not been made."""
+"""Backups of the record: now, on a schedule, and when and how the start page reminds of one."""
 
 from __future__ import annotations
 
@@ -16,23 +16,19 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from insole_core.errors import InputError, InsoleError
 from insole_core.messages import Message
 from insole_core.progress import Progress
-from insole_studio.features.clinic.backup_reminder import (
-    WEEK,
-    BackupFacts,
-    read_facts,
-    reminder_text,
-)
 from insole_studio.jobs import Jobs
 from insole_studio.services.app_services import AppServices
 from insole_studio.settings import BackupDay, BackupKeep
-from insole_studio.texts import fill, tr, translate_core_message
+from insole_studio.texts import fill, moment_text, tr, translate_core_message
 
 if TYPE_CHECKING:
     from insole_core.records.backup.back_up import BackupReport, BackupSchedule, KeepRule
     from insole_core.records.records import Records
 
+_INTERVALS = 2
+"""So many may pass without a backup."""
+_WEEK = timedelta(days=7)
 log = logging.getLogger(__name__)
-
 BACKUP, LOOK, REMIND = "backup", "backup-look", "backup-remind"
 NOTICE = "backup-missing"
 LOOK_EVERY_MS = 60_000
@@ -41,6 +37,55 @@ WAIT_S = 0.1
 MONTHS_OF_YEAR = 12
 RETRY_AFTER = timedelta(minutes=30)
 MEGABYTE = 1e6
+
+
+@dataclass(frozen=True)
+class BackupFacts:
+    """What the record knows of its backups.
+
+    Parameters
+    ----------
+    last
+        When any station has made one; None for never.
+    has_patients
+        Whether there is anything to lose; a sample patient is not.
+    """
+
+    last: datetime | None
+    has_patients: bool
+
+
+def _read_facts(records: Records) -> BackupFacts:
+    """Return what the record knows of its backups; anybody may know it."""
+    from insole_core.records.backup.back_up import last_backup_at
+    from insole_core.records.sample_patient import has_patients
+
+    with records.context.database.reading() as connection:
+        has_some = has_patients(connection)
+    return BackupFacts(last_backup_at(records.context.database), has_some)
+
+
+def reminder_text(facts: BackupFacts, day: BackupDay, now: datetime) -> str:
+    """Return the sentence of the start page; empty while all is well.
+
+    Parameters
+    ----------
+    day
+        Of the plan of this station; backups that are made by hand only are expected every week.
+    """
+    if facts.last is None:
+        if not facts.has_patients:
+            return ""
+        return tr("There is no backup yet: what is in the record is lost if its disk fails.")
+    if not is_overdue(facts.last, day, now):
+        return ""
+    sentence = tr("The last backup is of {moment}; what was entered since is in no other place.")
+    return sentence.format(moment=moment_text(facts.last))
+
+
+def is_overdue(last: datetime, day: BackupDay, now: datetime) -> bool:
+    """Return whether a backup is older than two intervals of a plan."""
+    return now - last > _INTERVALS * (timedelta(days=1) if day == "daily" else _WEEK)
 
 
 @dataclass(frozen=True)
@@ -135,13 +180,13 @@ class Backups(QObject):
         """Let the start page say if the record has not been backed up for long."""
         clinic = self._services.clinic
         if clinic.is_writable:
-            clinic.ask(REMIND, read_facts, self._show_reminder, self._note_no_facts)
+            clinic.ask(REMIND, _read_facts, self._show_reminder, self._note_no_facts)
         else:
             self.reminder_changed.emit("")
 
     def put_off_reminder(self) -> None:
         """Say nothing of backups for a week."""
-        self._settings.backup_reminder_from = (date.today() + WEEK).isoformat()
+        self._settings.backup_reminder_from = (date.today() + _WEEK).isoformat()
         self._services.save_settings()
         self.reminder_changed.emit("")
 

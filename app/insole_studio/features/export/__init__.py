@@ -1,4 +1,4 @@
 """Check & export: the order, its checks, its files.
 
-``actions.EXPORT_ACTIONS`` of ``export_actions.ExportActions``.
+``export_actions.EXPORT_ACTIONS`` of ``export_actions.ExportActions``.
 """

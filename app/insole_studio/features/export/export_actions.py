@@ -1,4 +1,4 @@
-"""Export of the insole with its documents, and printing of its outline."""
+"""Export of the insole with its documents, printing of its outline, and the actions."""
 
 from __future__ import annotations
 
@@ -29,6 +29,7 @@ from insole_core.workflows.mill import clinic_machines
 from insole_core.workflows.order_package import Ordered
 from insole_studio.document.case_names import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
+from insole_studio.services.action_record import ActionRecord
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.files import Kept
 from insole_studio.services.questions import Questions
@@ -39,6 +40,32 @@ from insole_studio.widgets.form_parts import Field
 
 if TYPE_CHECKING:
     from insole_studio.features.export.stage import ExportStage
+
+EXPORT_ACTIONS: tuple[ActionRecord[ExportActions], ...] = (
+    ActionRecord(
+        "export",
+        lambda: tr("Check & export…").replace("&", "&&"),
+        lambda: tr("Check the insole and write it for the shop, with its papers"),
+        lambda exporter, _on: exporter.open(),
+        icon="export",
+        shortcut="Ctrl+E",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "print_outline",
+        lambda: tr("Print outline 1:1…"),
+        lambda: tr("Write the outline of the insole in true size as a PDF"),
+        lambda exporter, _on: exporter.ask_print_outline(),
+        shortcut="Ctrl+P",
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "verify_order",
+        lambda: tr("Verify order…"),
+        lambda: tr("Say whether the files of an order are as they were written"),
+        lambda exporter, _on: exporter.ask_verify_order(),
+    ),
+)
 
 
 def _machine_files() -> str:

@@ -22,8 +22,7 @@ from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application
-from insole_studio.features.calibrate.page_painter import paint_page
-from insole_studio.features.calibrate.print_dialog import PAPERS_MM, PrintDialog
+from insole_studio.features.calibrate.print_dialog import PAPERS_MM, PrintDialog, paint_page
 from insole_studio.features.calibrate.rows import BoardSize
 from insole_studio.features.calibrate.stage import CalibrateStage
 

@@ -25,7 +25,7 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.clinic import backups
 from insole_studio.features.clinic.backup_dialog import BackupDialog
-from insole_studio.features.clinic.backup_reminder import BackupFacts, reminder_text
+from insole_studio.features.clinic.backups import BackupFacts, reminder_text
 from insole_studio.features.clinic.restore_dialog import RestoreDialog
 from insole_studio.features.clinic.verify_dialog import VerifyDialog
 from insole_studio.settings import BackupDay

@@ -9,8 +9,7 @@ from insole_core.cases.case_record import ReferencePlane
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_studio.scene.coloring import Coloring
-from insole_studio.scene.contour_lines import ContourLines
+from insole_studio.scene.coloring import Coloring, ContourLines
 from insole_studio.scene.guide_lines import GuideLines, NameLabel
 from insole_studio.scene.pointer import Handle, MarkedPoint
 

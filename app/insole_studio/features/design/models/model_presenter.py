@@ -49,8 +49,7 @@ from insole_studio.features.design.tools.metatarsal_line import NEAR_MM, clearan
 from insole_studio.features.design.tools.outline_tool import curve_of
 from insole_studio.features.design.tools.tool import ContextMenuItem
 from insole_studio.features.design.tools.tool_controller import ToolController
-from insole_studio.scene.coloring import Coloring, on_display
-from insole_studio.scene.contour_lines import ContourLines, contour_lines
+from insole_studio.scene.coloring import Coloring, ContourLines, contour_lines, on_display
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
