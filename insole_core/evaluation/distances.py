@@ -1,4 +1,4 @@
-"""A known object: all distances between its points, marked or the corners of a board (thesis 5.5)."""
+"""A known object: all distances between its points, marked, or corners of a board (thesis 5.5)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The part of a lattice inside an outline, triangulated so that what bends along contours is smooth."""
+"""The part of a lattice inside an outline, triangulated so that bends along contours are smooth."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Values on a surface: as colours, perceptually uniform, and as contour lines that show its form."""
+"""Values on a surface: as colours, perceptually uniform, and as contour lines that show a form."""
 
 from __future__ import annotations
 
