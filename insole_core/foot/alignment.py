@@ -148,7 +148,7 @@ def levelled(foot: Foot) -> Foot:
         When nothing faces the ground.
     """
     found = level(foot.even, foot.side, np.eye(4))
-    step = at_origin(foot.mesh, found.source2insole)
+    step = at_origin(foot.measured, found.source2insole)
     return replace(
         foot,
         mesh=foot.mesh.transformed(step),

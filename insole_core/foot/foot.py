@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_graph import without_noise
 from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse
@@ -66,10 +67,18 @@ class Foot:
         """
         return self.derived.get("even", (), self._spread)
 
+    @property
+    def measured(self) -> TriangleMesh:
+        """The surface without the noise of its scan, insole frame, to be measured.
+
+        It is the mesh itself where that has little.
+        """
+        return self.derived.get("measured", (), lambda: without_noise(self.mesh))
+
     def display_surface(self) -> DisplaySurface:
         """Return the surface to be shown, with an even border; computed once, in about 0.3 s."""
         return self.derived.get(DISPLAY, (), lambda: display_surface(self.mesh))
 
     def _spread(self) -> EvenSurface:
-        scan = self.mesh.transformed(inverse(self.source2insole))
+        scan = self.measured.transformed(inverse(self.source2insole))
         return EvenSurface.of(scan).transformed(self.source2insole)

@@ -35,6 +35,7 @@ from insole_core.foot.scraps import without_scraps
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.far_away import far_origin
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh_graph import noise_mm, without_noise
 from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
@@ -45,6 +46,7 @@ Frame = Literal["reference", "unknown"]
 
 _TOE_YAWS_DEG = (4.0, -4.0)
 _MOST_WAYS = 4
+_NOISY_MM = 0.4  # noise of a surface from which on it is told
 
 
 class DoubtfulScanError(InputError):
@@ -200,20 +202,24 @@ def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = Fal
     other = found.best(candidate.side.other)
     if other is not None and candidate.dissimilarity > CLEAR * other.dissimilarity and not force:
         raise SideMismatchError(candidate.side, _reason(other.side))
-    source2insole = at_origin(found.mesh, candidate.source2insole)
+    steady = without_noise(found.mesh)
+    source2insole = at_origin(steady, candidate.source2insole)
     placed = found.even.transformed(source2insole)
     notes = (
         *_side_notes(candidate, other),
         *_candidate_notes(candidate),
         *_rear_notes(placed),
+        *_noise_notes(found.mesh),
         *found.notes,
     )
     mesh = found.mesh.transformed(source2insole)
+    measured = mesh if steady is found.mesh else steady.transformed(source2insole)
     if candidate.leg is not None:
-        mesh = without_leg(mesh, candidate.leg)
+        mesh, measured = (without_leg(one, candidate.leg) for one in (mesh, measured))
         placed = placed.part(~is_leg(placed.points, candidate.leg))
     foot = Foot(candidate.side, mesh, source2insole, candidate.length_mm, notes)
     foot.derived.get("even", (), lambda: placed)
+    foot.derived.get("measured", (), lambda: measured)
     return foot
 
 
@@ -270,7 +276,7 @@ def _found(
     shows_pulps: bool = True,
 ) -> FoundFoot:
     """Level the surface as a foot of either side."""
-    even = EvenSurface.of(mesh)
+    even = EvenSurface.of(without_noise(mesh))
     nearest, other = sorted(
         (_best(even, points, poses, side, normals, shows_pulps=shows_pulps) for side in Side),
         key=lambda one: one.dissimilarity,
@@ -505,6 +511,16 @@ def _rear_notes(surface: EvenSurface) -> Iterator[str]:
         yield (
             "The heel is missing, or cut off behind; lengths and everything placed from the heel"
             " are guesses. Scan the foot again with its heel."
+        )
+
+
+def _noise_notes(mesh: TriangleMesh) -> Iterator[str]:
+    noise = noise_mm(mesh)
+    if mesh.touches is None and noise > _NOISY_MM:
+        yield Message(
+            "The surface is noisy, by about {noise_mm:.1f} mm; it was smoothed to be measured, and "
+            "its measures are uncertain by as much.",
+            noise_mm=noise,
         )
 
 

@@ -253,7 +253,7 @@ class _Along:
         mirror = np.diag([foot.side.medial_sign, 1.0, 1.0])
         x, y = ((toe - heel) @ mirror)[:2] / np.hypot(*(toe - heel)[:2])
         self._turn = np.array([[y, -x, 0.0], [x, y, 0.0], [0.0, 0.0, 1.0]]) @ mirror
-        self._landmarks, self._mesh, even = landmarks, foot.mesh, foot.even
+        self._landmarks, self._mesh, even = landmarks, foot.measured, foot.even
         plantar = (even.normals[:, 2] < 0) & (even.points[:, 2] < OUTLINE_HEIGHT_MM)
         self._sole = even.points[plantar] @ self._turn.T
         self._sole_mm2 = even.area_mm2[plantar] * -even.normals[plantar, 2]

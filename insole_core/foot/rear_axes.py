@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.foot.foot import Foot
+from insole_core.foot.outermost import ramp
 from insole_core.geometry.arrays import FloatArray, IndexArray
 
 _LEG_MM, _LEG_TURN = (60.0, 140.0), 0.65
@@ -20,6 +21,7 @@ _HEEL_MM, _HEEL_TURN = (24.0, 60.0), 0.8
 """Heights of the sections, and largest sideways part of a normal on the back."""
 _SLICE_MM = 4.0
 _REACH_MM = 25.0  # how far before the rearmost point the back of a section reaches
+_FADING, _LEAST_SHARE = (0.0, 0.1), 1e-3  # shares before the limits where points count less
 _LEAST_SLICES, _LEAST_POINTS = 5, 6
 _SPREAD_MM = 3.0
 _ROUNDS, _ROBUST = 4, 2.5
@@ -76,7 +78,10 @@ def _axis(foot: Foot, heights_mm: tuple[float, float], turned: float) -> Axis | 
         return None
     x, z = foot.even.points[back][:, [0, 2]].T
     rows = np.stack([np.ones_like(z), z, sideways, z * sideways], axis=1)
-    line, off = _robust_fit(rows, x, foot.even.area_mm2[back])
+    # Evenly down to nothing: which points lie just within the limits changes as a scan is turned.
+    beside, over = sideways / turned, (z - np.mean(heights_mm)) / (np.ptp(heights_mm) / 2)
+    within = ramp(1 - np.abs(beside), _FADING) * ramp(1 - np.abs(over), _FADING) + _LEAST_SHARE
+    line, off = _robust_fit(rows, x, within * foot.even.area_mm2[back])
     along = np.polyfit(middles, rear_mm[seen], 1)
     lower, upper = (
         np.array([line[0] + line[1] * height, np.polyval(along, height), height])

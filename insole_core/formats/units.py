@@ -17,10 +17,26 @@ UNIT_NAMES: dict[Unit, str] = {
 
 @dataclass(frozen=True)
 class UnitReading:
-    """A unit in which a file may be, and how long the foot in it would be."""
+    """A unit in which a file may be, and how long the foot in it would be.
+
+    Parameters
+    ----------
+    unit
+    length_mm
+        A guess where the toes are missing.
+    scanned_mm
+        Without toes, what was scanned of the length; else None.
+    """
 
     unit: Unit
     length_mm: float
+    scanned_mm: float | None = None
+
+    def in_unit(self, unit: Unit) -> UnitReading:
+        """Return how long the foot would be if the same numbers were in another unit."""
+        factor = MM_PER_UNIT[unit] / MM_PER_UNIT[self.unit]
+        scanned_mm = None if self.scanned_mm is None else factor * self.scanned_mm
+        return UnitReading(unit, factor * self.length_mm, scanned_mm)
 
 
 class UnitError(InputError):

@@ -120,12 +120,11 @@ def with_unit_doubt(found: FoundFoot, read: ReadMesh) -> FoundFoot:
     """
     if read.is_unit_said or read.stated == read.unit:
         return found
-    length_mm = found.candidates[0].length_mm
-    others = [
-        UnitReading(unit, length_mm * mm_per_unit / read.mm_per_unit)
-        for unit, mm_per_unit in MM_PER_UNIT.items()
-        if unit != read.unit
-    ]
+    nearest = found.candidates[0]
+    length_mm = nearest.length_mm
+    scanned_mm = None if nearest.is_length_known else nearest.surface_mm
+    likely = UnitReading(read.unit, length_mm, scanned_mm)
+    others = [likely.in_unit(unit) for unit in MM_PER_UNIT if unit != read.unit]
     is_adult = is_within(length_mm, (_ADULT_MM, USUAL_LENGTH_MM[1]))
     if (
         read.stated is None
@@ -133,7 +132,6 @@ def with_unit_doubt(found: FoundFoot, read: ReadMesh) -> FoundFoot:
         and not any(is_within(one.length_mm, USUAL_LENGTH_MM) for one in others)
     ):
         return found
-    likely = UnitReading(read.unit, length_mm)
     readings = (likely, *(one for one in others if is_within(one.length_mm, _READINGS_MM)))
     doubt = _unit_doubt(readings, read)
     return replace(found, unit_readings=readings, doubts=(doubt,))
@@ -164,6 +162,11 @@ def foot_text(reading: UnitReading) -> Message:
     length_mm = reading.length_mm
     if not is_within(length_mm, LENGTH_MM):
         return Message("{length_mm:.0f} mm (no foot)", length_mm=length_mm)
+    if reading.scanned_mm is not None:
+        return Message(
+            "a foot without toes, of which {scanned_mm:.0f} mm were scanned",
+            scanned_mm=reading.scanned_mm,
+        )
     if length_mm < _ADULT_MM:
         return Message(
             "a foot of {length_mm:.0f} mm (a child's, EU {size:.0f})",

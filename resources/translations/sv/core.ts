@@ -3736,6 +3736,10 @@
             <translation>Ytan har inte formen av en fot: {scanned_mm:.0f} mm lång men {toe_mm:.0f} mm hög där tårna skulle vara, och fötter är högst {usual_mm:.0f} mm där; kontrollera att filen innehåller en hel fot eller dess sula och inget annat.</translation>
         </message>
         <message>
+            <source>The surface is noisy, by about {noise_mm:.1f} mm; it was smoothed to be measured, and its measures are uncertain by as much.</source>
+            <translation>Ytan brusar, med ungefär {noise_mm:.1f} mm; den jämnades ut för mätningen, och måtten är lika osäkra.</translation>
+        </message>
+        <message>
             <source>The surface is only {thickness_mm:.0f} mm thick on average at a length of {scanned_mm:.0f} mm, as if it were an insole; choose the scan of the foot.</source>
             <translation>Ytan är i genomsnitt bara {thickness_mm:.0f} mm tjock vid en längd av {scanned_mm:.0f} mm, som om den vore ett inlägg; välj skanningen av foten.</translation>
         </message>
@@ -4718,6 +4722,10 @@
         <message>
             <source>a foot of {length_mm:.0f} mm (a child's, EU {size:.0f})</source>
             <translation>en fot på {length_mm:.0f} mm (ett barns, EU {size:.0f})</translation>
+        </message>
+        <message>
+            <source>a foot without toes, of which {scanned_mm:.0f} mm were scanned</source>
+            <translation>en fot utan tår, av vilken {scanned_mm:.0f} mm skannades</translation>
         </message>
         <message>
             <source>a line of it is longer than a point with its colours; each point has its own line</source>

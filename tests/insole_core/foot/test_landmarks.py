@@ -157,6 +157,18 @@ def test_a_real_foot_whose_toes_melt_together_is_as_long_and_points_as_it_does(
     assert marks["toe_tip_2"].confidence < 0.5
 
 
+@pytest.mark.parametrize(("spread_mm", "most_mm"), [(0.3, 0.4), (0.8, 1.2)])
+def test_noise_of_a_scan_hardly_changes_its_measures(left_mesh, left_foot, spread_mm, most_mm):
+    noise = np.random.default_rng(0).normal(0, spread_mm, (len(left_mesh.vertices), 1))
+    scan = left_mesh.moved(left_mesh.vertices + noise * left_mesh.vertex_normals)
+    foot = place_foot(scan, Side.LEFT, frame="reference")
+    known, got = (measure(one, find_landmarks(one)) for one in (left_foot, foot))
+    sizes = ("foot_length", "ball_width", "heel_width", "ball_girth", "instep_height")
+    for name in (*sizes, "arch_height"):
+        assert got[name] == pytest.approx(known[name], abs=most_mm), name
+    assert any("noisy" in note for note in foot.notes) == (spread_mm > 0.5)
+
+
 def test_what_outlines_do_not_show_is_named(left_mesh):
     touches = seen_from(left_mesh, [[-330, 0, -700], [330, 0, -700]])
     behind = touches.points[:, 1] < 0

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from insole_core.geometry import mesh_graph
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import ContourConstraints, TriangleMesh
 from insole_core.geometry.mesh_boundary import extend_boundary
-from insole_core.geometry.mesh_resolution import subdivided
+from insole_core.geometry.mesh_graph import noise_mm, without_noise
+from insole_core.geometry.mesh_resolution import subdivided, thinned
 from insole_core.geometry.surface_nets import surface_nets
 
 RADIUS_MM = 9.3
@@ -113,3 +114,22 @@ def test_a_narrow_gap_is_not_grown_over() -> None:
     assert not (within & (added[:, 0] > 8.5) & (added[:, 0] < 9.5)).any()
     assert (within & (added[:, 0] < -1)).any(), "the free sides are grown"
     assert (within & (added[:, 0] > 19)).any()
+
+
+def noisy(mesh: TriangleMesh, spread_mm: float) -> TriangleMesh:
+    noise = np.random.default_rng(1).normal(0, spread_mm, (len(mesh.vertices), 1))
+    return mesh.moved(mesh.vertices + noise * mesh.vertex_normals)
+
+
+@pytest.mark.parametrize("spread_mm", [0.0, 0.3, 0.8])
+def test_noise_is_told_from_shape(left_mesh: TriangleMesh, spread_mm: float) -> None:
+    assert noise_mm(noisy(left_mesh, spread_mm)) == pytest.approx(spread_mm, abs=0.15)
+
+
+def test_a_surface_with_little_noise_is_measured_as_it_is(left_mesh: TriangleMesh) -> None:
+    assert without_noise(left_mesh) is left_mesh
+    outlined = noisy(left_mesh, 0.3).with_attributes(
+        touches=ContourConstraints(np.zeros((0, 3)), np.zeros((0, 3)))
+    )
+    assert without_noise(outlined) is outlined
+    assert noise_mm(thinned(left_mesh, 12.0)) == 0.0

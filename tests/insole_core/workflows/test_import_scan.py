@@ -48,6 +48,17 @@ def test_a_size_of_feet_in_two_units_is_asked(left_mesh: TriangleMesh, tmp_path:
     assert told.doubts == ()
 
 
+def test_a_guessed_length_is_not_told_as_one(left_mesh: TriangleMesh, tmp_path: Path) -> None:
+    path = tmp_path / "foot.ply"
+    toeless = left_mesh.part(left_mesh.vertices[:, 1] < 55)
+    write_ply(toeless.moved(toeless.vertices * 340 / 245 / 25.4), path)
+    (found,) = examine_scan(path).feet
+    said = " ".join(found.doubts)
+    scanned_mm = found.candidates[0].surface_mm
+    assert f"without toes, of which {scanned_mm:.0f} mm were scanned if it is in inches" in said
+    assert f"a foot of {found.candidates[0].length_mm:.0f} mm" not in said
+
+
 def test_the_other_side_is_taken_by_force_only(examination: ScanExamination) -> None:
     (found,) = examination.feet
     left, right = found.candidates
