@@ -12,7 +12,6 @@ from pathlib import Path
 import manifold3d
 import pytest
 from canned_questions import CannedQuestions
-from insole_core.formats.writing import write_solids
 from pointing import click_heading
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -22,7 +21,7 @@ from sqlalchemy import insert
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import Unreachable
 from insole_core.export.shop_order import OrderTerms
-from insole_core.formats.solid_content import SolidPart
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.geometry.side import Side
 from insole_core.records import schema
 from insole_core.records.order import Order, OrderState
