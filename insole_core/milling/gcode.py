@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
-from insole_core.milling.machine import Machine
+from insole_core.milling.machine import Cutter, Machine
 from insole_core.milling.plan import MillingPlan
-from insole_core.milling.tool_path import Motion, Operation
+from insole_core.milling.tool_path import Motion, Operation, SideName
 from insole_core.progress import SILENT, Progress
 
 _DECIMALS = 3
@@ -17,8 +19,101 @@ _PREAMBLE = "G17 G21 G40 G49 G80 G90 G94"
 """Plane xy, mm, no compensation of radius or length, no cycle, absolute, feed in mm/min."""
 
 
+_LIES = {"foot side": "foot side up", "underside": "turned onto its dowels, foot side down"}
+
+
+@dataclass(frozen=True, eq=False)
+class ProgramFile:
+    """The text of a file, and what it does."""
+
+    text: str
+    operations: tuple[Operation, ...]
+
+
+@dataclass(frozen=True)
+class Station:
+    """A side that lies up, and the cutter that is in the spindle."""
+
+    side: SideName
+    cutter: Cutter
+
+
+def stations(machine: Machine, *, both_sides: bool) -> list[Station]:
+    """Return the cutters of a program in their order."""
+    of_side = [machine.roughing.cutter, machine.finishing.cutter, machine.contour.cutter]
+    found = [Station("foot side", cutter) for cutter in of_side]
+    if both_sides:
+        dowels = Station("foot side", machine.contour.cutter)
+        found = [dowels, *found, *(Station("underside", cutter) for cutter in of_side)]
+    return [station for station, _ in groupby(found)]
+
+
+def programs(
+    plan: MillingPlan, in_order: Sequence[Station], job: str = "", progress: Progress = SILENT
+) -> list[ProgramFile]:
+    """Return the files of a plan: one, or one for each station, as the machine needs it.
+
+    Parameters
+    ----------
+    in_order
+        The stations of the plan.
+    job
+        Names the order, in a comment; never the patient.
+    """
+    if plan.machine.program_files == "one":
+        return [ProgramFile(gcode(plan, job, progress), plan.operations)]
+    waiting, files = list(plan.operations), []
+    for number, (station, step) in enumerate(
+        zip(in_order, progress.parts(len(in_order)), strict=True), 1
+    ):
+        step.step(0.0, "Writing the program")
+        own = []
+        while waiting and Station(waiting[0].side, waiting[0].cutter) == station:
+            own.append(waiting.pop(0))
+        title = f"File {number} of {len(in_order)}"
+        text = "\n".join(_file_lines(plan, station, own, title, job)) + "\n"
+        files.append(ProgramFile(text, tuple(own)))
+    return files
+
+
+def _file_lines(
+    plan: MillingPlan, station: Station, own: Sequence[Operation], title: str, job: str
+) -> Iterator[str]:
+    """Yield the lines of a file for one cutter, with what has to be set up in its head."""
+    machine, cutter = plan.machine, station.cutter
+    words = _words(plan, job) | _tool(cutter.number, cutter.name, cutter.spindle_rpm)
+    width, length, height = (_number(size) for size in plan.block_mm)
+    at, level = machine.origin.at, machine.origin.height
+    yield from _filled(machine.texts.header, words)
+    yield f"({title}: the block {_LIES[station.side]})"
+    yield (
+        f"(Put in tool {cutter.number}: {_comment(cutter.name)}, flutes {cutter.flute_mm:g} mm, "
+        f"{cutter.reach_mm:g} mm to the collet, and set its height)"
+    )
+    yield f"(Block {width} x {length} x {height} mm, its length along {machine.length_along})"
+    x_mm, y_mm = machine.origin.offset_mm
+    yield f"(Zero {machine.work_offset}: {at} of the block, X{x_mm:g} Y{y_mm:g} from it, {level})"
+    yield f"{_PREAMBLE} {machine.work_offset}"
+    yield from _filled(machine.texts.start, words)
+    if not own:
+        yield "(With this cutter nothing has to be milled)"
+    for operation in own:
+        yield f"({operation.name}, {operation.side}, {_comment(cutter.name)})"
+        yield from _moves(operation, in_machine(operation.points_mm, plan), is_parked=False)
+    yield from _filled((*machine.texts.parking, *machine.texts.footer), words)
+
+
+def _words(plan: MillingPlan, job: str) -> dict[str, object]:
+    """Return what stands for the placeholders that do not depend on the cutter."""
+    return {
+        "job": _comment(job) or "-",
+        "safe_mm": _number(_safe_mm(plan)),
+        "park_mm": _number(_park_mm(plan)),
+    }
+
+
 def gcode(plan: MillingPlan, job: str = "", progress: Progress = SILENT) -> str:
-    """Return the program of a plan.
+    """Return one program of a plan, with stops.
 
     Parameters
     ----------
@@ -30,11 +125,7 @@ def gcode(plan: MillingPlan, job: str = "", progress: Progress = SILENT) -> str:
 
 def _lines(plan: MillingPlan, job: str, progress: Progress) -> Iterator[str]:
     machine = plan.machine
-    words: dict[str, object] = {
-        "job": _comment(job) or "-",
-        "safe_mm": _number(_safe_mm(plan)),
-        "park_mm": _number(_park_mm(plan)),
-    }
+    words = _words(plan, job)
     first = plan.operations[0].cutter
     yield from _filled(machine.texts.header, words | _tool(first.number, first.name, 0))
     yield f"{_PREAMBLE} {machine.work_offset}"

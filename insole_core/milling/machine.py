@@ -18,6 +18,7 @@ OriginAt: TypeAlias = Literal["corner", "middle"]
 OriginHeight: TypeAlias = Literal["top", "bottom"]
 Axis: TypeAlias = Literal["x", "y"]
 FlipAxis: TypeAlias = Literal["length", "width"]
+ProgramFiles: TypeAlias = Literal["one", "each cutter"]
 WorkOffset: TypeAlias = Literal["G54", "G55", "G56", "G57", "G58", "G59"]
 
 PLACEHOLDERS = ("job", "tool", "cutter", "spindle_rpm", "safe_mm", "park_mm")
@@ -30,6 +31,7 @@ _KNOWN_NUMBERS = {
 _KNOWN_LETTERS = "DFHNPQSTXYZ"
 _USUAL_OFFSET: WorkOffset = "G54"
 _USUAL_PARKING = ("G0 Z{park_mm}",)
+_USUAL_START = ("S{spindle_rpm} M3", "G4 P3")
 _USUAL_ACCELERATION_MM_S2 = (500.0, 500.0, 200.0)
 """Of machine files from before they named these."""
 _USUAL_DEPTH_MM = 10.0
@@ -158,9 +160,12 @@ class Texts:
     ----------
     parking
         Where the cutter goes before each stop, and at the end.
+    start
+        Of a file that is for one cutter, which has been put in.
     """
 
     header: tuple[str, ...]
+    start: tuple[str, ...]
     parking: tuple[str, ...]
     tool_change: tuple[str, ...]
     turn: tuple[str, ...]
@@ -181,6 +186,9 @@ class Machine:
         Axis along which the block's length lies.
     work_offset
         Of the controller's offsets the one that holds the program's zero.
+    program_files
+        One with stops, or one for each cutter and side: for controllers that cannot be moved by
+        hand while they hold.
     """
 
     name: str
@@ -190,6 +198,7 @@ class Machine:
     safe_height_mm: float
     length_along: Axis
     work_offset: WorkOffset
+    program_files: ProgramFiles
     origin: Origin
     cutters: tuple[Cutter, ...]
     roughing: Roughing
@@ -222,6 +231,9 @@ def read_machine(path: Path) -> Machine:
         safe_height_mm=root.number("safe_height_mm", 1, 200),
         length_along=root.choice("length_along", get_args(Axis)),
         work_offset=_work_offset(root),
+        program_files=root.choice("program_files", get_args(ProgramFiles))
+        if root.has("program_files")
+        else "one",
         origin=_origin(root.object("origin")),
         cutters=cutters,
         roughing=_roughing(root.object("roughing"), cutters),
@@ -391,6 +403,7 @@ def _origin(item: JsonObject) -> Origin:
 def _texts(item: JsonObject) -> Texts:
     return Texts(
         header=_text(item, "header"),
+        start=_text(item, "start") if item.has("start") else _USUAL_START,
         parking=_text(item, "parking") if item.has("parking") else _USUAL_PARKING,
         tool_change=_text(item, "tool_change"),
         turn=_text(item, "turn"),

@@ -64,9 +64,9 @@ class ExportPaths:
         Outcome of the checks, JSON.
     job_sheet, prescription
         PDF.
-    program, setup_sheet, pin_holes
-        Of a router, from `workflows.mill`: what mills the pieces, the PDF for its operator, and
-        what bores the holes for dowels into the spoil board.
+    programs, setup_sheet, pin_holes
+        Of a router, from `workflows.mill`: what mills the pieces, in order, the PDF for its
+        operator, and what bores the holes for dowels into the spoil board.
     outlines
         DXF.
     """
@@ -75,10 +75,16 @@ class ExportPaths:
     checks: Path | None = None
     job_sheet: Path | None = None
     prescription: Path | None = None
-    program: Path | None = None
+    programs: tuple[Path, ...] = ()
     setup_sheet: Path | None = None
     pin_holes: Path | None = None
     outlines: Path | None = None
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """All of them."""
+        single = [value for value in vars(self).values() if isinstance(value, Path)]
+        return (*single, *self.programs)
 
 
 @dataclass(frozen=True, eq=False)
@@ -251,7 +257,13 @@ def opened(places: ExportPaths, transaction: Transaction) -> ExportPaths:
             "{path} are outlines, which are written as .dxf; change its suffix.",
             path=places.outlines,
         )
-    return ExportPaths(*(path and transaction.file(path) for path in vars(places).values()))
+    beside: dict[str, Any] = {
+        name: tuple(map(transaction.file, value))
+        if isinstance(value, tuple)
+        else value and transaction.file(value)
+        for name, value in vars(places).items()
+    }
+    return ExportPaths(**beside)
 
 
 @contextmanager

@@ -51,7 +51,7 @@ from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_core.workflows.mill import MillingChoice, plan_job, write_milling
+from insole_core.workflows.mill import MillingChoice, plan_job, program_paths, write_milling
 from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.print_order import PrintChoice, zoned_print
 
@@ -507,7 +507,7 @@ def files_of(
         Whether failed checks are overridden, which adds the file of the checks.
     """
     places = _all_places(parts, choice, path, overridden)
-    return tuple(file for place in places for file in vars(place).values() if file is not None)
+    return tuple(file for place in places for file in place.files)
 
 
 def letters_told(choice: OrderChoice, patient: Patient, responsible: Responsible) -> Message | None:
@@ -528,7 +528,7 @@ def letters_told(choice: OrderChoice, patient: Patient, responsible: Responsible
 def programs_of(parts: Sequence[Part], choice: OrderChoice, path: Path) -> tuple[Path, ...]:
     """Return the programs of a router that `write_order` would write; none for other machines."""
     places = _all_places(parts, choice, path, overridden=False)
-    return tuple(place.program for place in places if place.program is not None)
+    return tuple(program for place in places for program in place.programs)
 
 
 def word_of(parts: Sequence[Part], choice: OrderChoice) -> str:
@@ -564,7 +564,9 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Exp
         named(choice.checks or overridden, CHECKS.ending),
         named(choice.job_sheet, JOB_SHEET.ending),
         named(choice.prescription, "-prescription.pdf"),
-        named(choice.milling is not None, PROGRAM.ending),
+        ()
+        if choice.milling is None
+        else program_paths(path.with_name(stem + PROGRAM.ending), choice.milling),
         named(choice.milling is not None, SETUP_SHEET.ending),
         named(choice.milling is not None and choice.milling.both_sides, PIN_HOLES.ending),
         named(choice.outlines, OUTLINES.ending),

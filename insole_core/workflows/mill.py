@@ -14,7 +14,7 @@ from insole_core.formats.file_formats import PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.messages import Translate
-from insole_core.milling.gcode import gcode
+from insole_core.milling.gcode import Station, programs, stations
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.milling.spoil_board import spoil_board_plan
@@ -37,6 +37,14 @@ class MillingChoice:
 
     machine: Machine
     both_sides: bool = False
+
+
+def program_paths(path: Path, how: MillingChoice) -> tuple[Path, ...]:
+    """Return the names of the files of a program, in the order in which they are run."""
+    if how.machine.program_files == "one":
+        return (path,)
+    count = len(stations(how.machine, both_sides=how.both_sides))
+    return tuple(path.with_name(f"{path.stem}-{n}{path.suffix}") for n in range(1, count + 1))
 
 
 def clinic_machines(folder: Path) -> NamedFiles[Machine]:
@@ -134,22 +142,6 @@ def _in_the_middle(
     return [TriangleMesh(solid.vertices + shift, solid.triangles) for solid in solids]
 
 
-def write_program(plan: MillingPlan, path: Path, job: str, progress: Progress = SILENT) -> None:
-    """Write the program of a plan, all of it or nothing.
-
-    Parameters
-    ----------
-    job
-        Names the order in the program; never the patient.
-
-    Raises
-    ------
-    OutputError
-        When the place cannot be written; a file that was there before is untouched.
-    """
-    write_text(gcode(plan, job, progress), path)
-
-
 def write_milling(
     plan: MillingPlan,
     block: Block,
@@ -181,19 +173,25 @@ def write_milling(
     """
     from insole_core.workflows.setup_sheet import RouterFile, write_setup_sheet
 
-    if beside.program is None or places.program is None:
+    if not beside.programs:
         return
-    job = identification["pseudonym"]
-    write_program(plan, beside.program, job, progress.part(0.0, 0.8))
-    made = RouterFile(places.program.name, beside.program, plan.operations)
+    job, machine = identification["pseudonym"], plan.machine
+    both_sides = any(left.side == "underside" for left in plan.left_over)
+    in_order = stations(machine, both_sides=both_sides)
+    texts = programs(plan, in_order, job, progress.part(0.0, 0.7))
+    made = []
+    for place, file, text in zip(places.programs, beside.programs, texts, strict=True):
+        write_text(text.text, file)
+        made.append(RouterFile(place.name, file, text.operations))
     pins = None
     if places.pin_holes is not None and beside.pin_holes is not None:
-        board = spoil_board_plan(plan.machine, plan.block_mm)
-        write_program(board, beside.pin_holes, job)
+        board = spoil_board_plan(machine, plan.block_mm)
+        boring = Station("foot side", machine.contour.cutter)
+        write_text(programs(board, [boring], job)[0].text, beside.pin_holes)
         pins = RouterFile(places.pin_holes.name, beside.pin_holes, board.operations)
     if beside.setup_sheet is not None:
         progress.step(0.8, "Writing the set-up sheet")
         write_setup_sheet(
-            plan, [made], beside.setup_sheet,
+            plan, [file for file in made if file.operations], beside.setup_sheet,
             block=block, identification=identification, pin_holes=pins, translate=translate,
         )  # fmt: skip

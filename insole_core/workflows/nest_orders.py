@@ -42,7 +42,7 @@ from insole_core.solids.export_job import ExportPaths, standing
 from insole_core.solids.marking import mark
 from insole_core.solids.shop import Block
 from insole_core.solids.silhouette import block_outline, mark_text, silhouette
-from insole_core.workflows.mill import MillingChoice, write_milling
+from insole_core.workflows.mill import MillingChoice, program_paths, write_milling
 from insole_core.zip_archive import ZipArchive
 
 if TYPE_CHECKING:
@@ -55,6 +55,7 @@ _MOST_PIECES: Final = 500
 _MOST_BYTES: Final = 512 * 2**20
 _ALONG: Final[tuple[Turn, ...]] = (0, 180)
 _ACROSS: Final[tuple[Turn, ...]] = (90, 270)
+_PROGRAM: Final = "program "
 _OF_SLICERS: Final = ("Metadata/Slic3r_PE_model.config", "Metadata/model_settings.config")
 _MARK_AT, _MARK_ROOM_MM, _MARK_SHARE = 0.35, 30.0, 0.5
 """Under the heel, as the marks of an order."""
@@ -336,13 +337,20 @@ def _engraved(piece: OrderedPiece) -> TriangleMesh:
 
 
 def places_of_nest(out: Path, milling: MillingChoice | None) -> dict[str, Path]:
-    """Return all files that `write_nest` writes, by what they are."""
+    """Return all files that `write_nest` writes, by what they are.
+
+    Those of a program are numbered in their order.
+    """
     endings = {"solid": out.suffix, "outlines": OUTLINES.ending, "sheet": NEST_SHEET.ending}
     if milling is not None:
-        endings |= {"program": PROGRAM.ending, "setup_sheet": SETUP_SHEET.ending}
+        endings |= {"setup_sheet": SETUP_SHEET.ending}
         if milling.both_sides:
             endings["pin_holes"] = PIN_HOLES.ending
-    return {what: out.with_name(out.stem + ending) for what, ending in endings.items()}
+    places = {what: out.with_name(out.stem + ending) for what, ending in endings.items()}
+    if milling is not None:
+        files = program_paths(out.with_name(out.stem + PROGRAM.ending), milling)
+        places |= {f"{_PROGRAM}{number}": file for number, file in enumerate(files, 1)}
+    return places
 
 
 def write_nest(
@@ -417,7 +425,8 @@ def _write_outlines(nest: DayNest, path: Path) -> None:
 def _facts(
     nest: DayNest, title: str, places: Mapping[str, Path], translate: Translate
 ) -> dict[str, str]:
-    shown = ("solid", "outlines", "program", "setup_sheet")
+    programs = (what for what in places if what.startswith(_PROGRAM))
+    shown = ("solid", "outlines", *programs, "setup_sheet")
     return {
         "nest": title,
         "date": date.today().isoformat(),
@@ -481,5 +490,9 @@ def _mill(
 
 
 def _export_paths(places: Mapping[str, Path]) -> ExportPaths:
-    kinds = ("program", "setup_sheet", "pin_holes")
-    return ExportPaths(places["solid"], **{what: places.get(what) for what in kinds})
+    return ExportPaths(
+        places["solid"],
+        programs=tuple(path for what, path in places.items() if what.startswith(_PROGRAM)),
+        setup_sheet=places.get("setup_sheet"),
+        pin_holes=places.get("pin_holes"),
+    )

@@ -114,11 +114,20 @@ def places(arguments: argparse.Namespace) -> ExportPaths:
         arguments.checks,
         arguments.job_sheet,
         arguments.prescription_paper,
-        arguments.gcode,
+        _programs(arguments),
         arguments.setup_sheet,
         arguments.pin_holes,
         arguments.dxf,
     )
+
+
+def _programs(arguments: argparse.Namespace) -> tuple[Path, ...]:
+    from insole_core.workflows.mill import MillingChoice, program_paths
+
+    if arguments.gcode is None:
+        return ()
+    how = MillingChoice(_machine(arguments), arguments.both_sides)
+    return program_paths(arguments.gcode, how)
 
 
 def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths]:
@@ -204,7 +213,7 @@ def deliver(
         printing=print_arguments.printing(parts, arguments),
     )
     export_job.run_export_job(job, places(arguments), beside, progress.part(0.8, 0.9))
-    if beside.program is not None and block is not None:
+    if beside.programs and block is not None:
         _mill(job, block, arguments, beside, progress.part(0.9, 1.0))
 
 

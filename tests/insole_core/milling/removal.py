@@ -60,7 +60,7 @@ class Removal:
         tool, mode, turned = 0, "", False
         place, points = np.full(3, np.nan), []
         for line in text.splitlines():
-            turned |= "foot side down" in line
+            turned |= "foot side down" in line and not self.sides
             said = re.search(r"tool (\d+):", line)
             code = re.sub(r"\(.*?\)", "", line)
             self.words |= set(re.findall(r"[GM][\d.]+", code))
@@ -68,7 +68,7 @@ class Removal:
             if "T" in found or said:
                 self._cut(tool, points)
                 points, tool = [place.copy()], int(found.get("T") or said.group(1))  # type: ignore[union-attr]
-            if found.get("M") == "0" and turned:
+            if found.get("M") in ("0", "3") and turned:
                 self._cut(tool, points)
                 points, turned = [place.copy()], False
                 self._turn()

@@ -20,13 +20,15 @@ import scipy
 from insole_core.errors import DesignError, InputError, OutputError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.milling.gcode import gcode, origin_mm
+from insole_core.milling.gcode import gcode, origin_mm, programs, stations
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.milling.sides import turned_over
 from insole_core.milling.tool_path import motion_minutes
 from insole_core.resources import resource_path
-from insole_core.workflows.mill import write_program
+from insole_core.solids.export_job import ExportPaths
+from insole_core.solids.shop import Block
+from insole_core.workflows.mill import write_milling
 from tests.insole_core.milling.engagement import moves_of
 from tests.insole_core.milling.judgement import (
     edge_round,
@@ -319,6 +321,29 @@ def test_every_stop_is_made_at_the_parking_place(name, parking):
         assert re.fullmatch(r"G0 Z[-\d.]+", after[1])
 
 
+def test_a_machine_that_cannot_be_moved_while_it_holds_gets_a_file_for_each_cutter_and_side():
+    how = machine("grbl")
+    plan = plan_milling([solid(arched=True)], BLOCK_MM, how, both_sides=True)
+    files = programs(plan, stations(how, both_sides=True), "A-1")
+    assert len(files) == 6
+    for number, file in enumerate(files, 1):
+        lines = file.text.splitlines()
+        head = lines[: next(n for n, line in enumerate(lines) if line.startswith("G0"))]
+        assert not re.search(r"\bM0\b", file.text)
+        assert head.count("(A-1)") == 1
+        assert sum("M3" in line for line in head) == 1
+        assert any(f"File {number} of 6" in line for line in head)
+        assert any("foot side down" in line for line in head) == (number > 3)
+        (tool,) = {operation.cutter.number for operation in file.operations}
+        assert sum(f"Put in tool {tool}:" in line for line in lines) == 1
+        assert any("Zero G54" in line for line in head)
+        assert lines[-1] == "M2"
+    whole, apart = left_of(plan, gcode(plan)), left_of(plan, "".join(file.text for file in files))
+    for one, other in zip(whole.sides, apart.sides, strict=True):
+        assert np.array_equal(one, other)
+    assert apart.rapid_cuts_mm < 0.01
+
+
 def test_a_machine_file_from_before_these_keys_has_the_usual_ones(tmp_path):
     content = json.loads(resource_path("milling/linuxcnc.json").read_text())
     del content["work_offset"], content["acceleration_mm_s2"], content["texts"]["parking"]
@@ -507,6 +532,7 @@ def test_a_machine_is_kept_as_it_is(tmp_path, name):
         (("cutters", 0, "flute_mm"), 4.0, "roughing.step_down_mm is 6"),
         (("roughing", "width_mm"), 2.5, "roughing.width_mm is 2.5"),
         (("texts", "header"), ["G55"], "texts.header selects G55, and the program is made for G54"),
+        (("program_files",), "two", 'program_files is "two", but must be "one" or "each cutter"'),
         (("work_offset",), "G92", 'work_offset is "G92", but must be "G54", "G55"'),
         (("texts", "parking"), ["G0 Z{high}"], 'has the word "high", which no controller'),
     ],
@@ -531,9 +557,10 @@ def test_a_full_disk_leaves_the_earlier_program(tmp_path, monkeypatch):
     plan = plan_milling([solid()], BLOCK_MM, machine())
     path = tmp_path / "piece.nc"
     path.write_text("(earlier)")
+    block, places = Block("EVA", BLOCK_MM), ExportPaths(tmp_path / "piece.stl", programs=(path,))
     monkeypatch.setattr(Path, "write_text", full)
     with pytest.raises(OutputError, match="disk is full"):
-        write_program(plan, path, "A-1")
+        write_milling(plan, block, places, places, identification={"pseudonym": "A-1"})
     monkeypatch.undo()
     assert path.read_text() == "(earlier)"
     assert list(tmp_path.iterdir()) == [path]

@@ -159,13 +159,15 @@ def test_a_file_that_was_changed_is_refused(orders: list[Path], tmp_path: Path) 
         list(pieces_of_order(folder))
 
 
-def test_a_router_gets_one_program_for_all(tmp_path: Path) -> None:
+def test_a_router_gets_the_same_programs_for_all_pieces(tmp_path: Path) -> None:
     corners = [(0, 0), (40, 0), (40, 50), (20, 70), (0, 60)]
     solid = from_manifold(manifold3d.CrossSection([corners]).extrude(9.0))
     pieces = [OrderedPiece(f"26-{n}", side, solid) for n in (1, 2) for side in Side]
     machine = read_machine(resource_path("milling/grbl.json"))
     nest = nest_pieces(pieces, Block("board", (220.0, 160.0, 12.0)), across=False)
     write_nest(nest, tmp_path / "n.stl", title="n", milling=MillingChoice(machine))
-    assert (tmp_path / "n.nc").read_text().startswith("(n)")
+    programs = sorted(tmp_path.glob("*.nc"))
+    assert [path.name for path in programs] == ["n-1.nc", "n-2.nc", "n-3.nc"]
+    assert all(path.read_text().startswith("(n)") for path in programs)
     sheet = text_of_pdf(tmp_path / "n-setup-sheet.pdf")
     assert all(f"{number}: 26-" in sheet for number in (1, 2, 3, 4))

@@ -20,7 +20,7 @@ from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportPaths
 from insole_core.solids.shop import Block
 from insole_core.solids.simplification import from_manifold
-from insole_core.workflows.mill import write_milling
+from insole_core.workflows.mill import MillingChoice, program_paths, write_milling
 
 BLOCK = Block("EVA single", (120.0, 200.0, 24.0))
 """Its longer side is named last."""
@@ -38,6 +38,7 @@ class Written:
     """What the shop gets."""
 
     sheet: str
+    names: tuple[str, ...]
     program: str
     pins: str
 
@@ -51,26 +52,30 @@ def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
         [wedge()], (width, length, height), machine,
         both_sides=True, feet=[FootInBlock(Side.LEFT)],
     )  # fmt: skip
+    programs = program_paths(folder / "P.nc", MillingChoice(machine, both_sides=True))
     places = ExportPaths(
         folder / "P.stl",
-        program=folder / "P.nc", setup_sheet=folder / "P.pdf", pin_holes=folder / "P-pins.nc",
+        programs=programs, setup_sheet=folder / "P.pdf", pin_holes=folder / "P-pins.nc",
     )  # fmt: skip
     write_milling(plan, BLOCK, places, places, identification={"pseudonym": "P-7"})
     return Written(
         " ".join(text_of_pdf(folder / "P.pdf").split()),
-        (folder / "P.nc").read_text(),
+        tuple(path.name for path in programs),
+        "".join(path.read_text() for path in programs),
         (folder / "P-pins.nc").read_text(),
     )
 
 
 def places_of(program: str) -> np.ndarray:
     """All places x, y, z of a program that a move ends at."""
-    at, found = {"X": 0.0, "Y": 0.0, "Z": 0.0}, []
+    at: dict[str, float] = {}
+    found: list[list[float]] = []
     for line in program.splitlines():
         words = re.findall(r"([XYZ])(-?[\d.]+)", line) if line.startswith(("G0 ", "G1 ")) else []
         if words:
             at |= {letter: float(number) for letter, number in words}
-            found.append(list(at.values()))
+            if len(at) == 3:
+                found.append([at["X"], at["Y"], at["Z"]])
     return np.array(found)
 
 
@@ -122,7 +127,11 @@ def test_the_sheet_follows_the_stops_of_the_program(written: Written) -> None:
         (later[1] != earlier[1]) + (later[2] != earlier[2]) for earlier, later in pairwise(titles)
     )
     assert stops >= 3
-    assert written.sheet.count("The cutter parks.") == stops
+    files = len(written.names)
+    assert written.sheet.count("The cutter parks.") == (stops if files == 1 else 0)
+    assert files in {1, stops + 1}
+    runs = [written.sheet.index(f"and run {name}") for name in written.names]
+    assert runs == sorted(runs)
     assert written.sheet.count("turn the block about") == 1
     assert "1 (6 mm flat end) flat, diameter 6 mm, flutes 22 mm" in written.sheet
 

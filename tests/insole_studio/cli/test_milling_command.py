@@ -31,9 +31,12 @@ def test_the_program_lies_beside_the_solid(
     told = capsys.readouterr().err
     assert "foot side, finishing, 6 mm ball nose:" in told
     assert "min without changes of cutters" in told
-    lines = program.read_text(encoding="ascii").splitlines()
-    assert lines[0] == "(P-7)"
-    assert lines[-1] == "M2"
+    written = sorted(tmp_path.glob("left*.nc"))
+    assert [path.name for path in written] == ["left-1.nc", "left-2.nc", "left-3.nc"]
+    for path in written:
+        lines = path.read_text(encoding="ascii").splitlines()
+        assert lines[0] == "(P-7)"
+        assert lines[-1] == "M2"
     assert solid.stat().st_size > 1000
     assert (tmp_path / "setup.pdf").read_bytes().startswith(b"%PDF")
 

@@ -224,18 +224,19 @@ def test_a_router_gets_its_program_beside_the_solid(
     stage.exported.connect(lambda _record, ordered: told.append(ordered))
     stage.view.export.click()
     settle()
+    programs = [f"anna-left-{number}.nc" for number in (1, 2, 3)]
     assert sorted(path.name for path in tmp_path.glob("anna*")) == [
-        "anna-left-setup-sheet.pdf", "anna-left.nc", "anna-left.stl"
+        *programs, "anna-left-setup-sheet.pdf", "anna-left.stl"
     ]  # fmt: skip
-    assert [path.name for path in told[0].paths] == ["anna-left.stl", "anna-left.nc"]
-    assert "\nG1 X" in (tmp_path / "anna-left.nc").read_text()
-    assert stage.view.summary.text() == "Exported anna-left.stl, anna-left.nc"
+    assert [path.name for path in told[0].paths] == ["anna-left.stl", *programs]
+    assert all("\nG1 X" in (tmp_path / name).read_text() for name in programs)
+    assert stage.view.summary.text() == f"Exported anna-left.stl, {', '.join(programs)}"
     asker.answer = tmp_path / "order.zip"
     stage.presenter.edit_choice(replace(stage.view.form.choice(), package="zip"))
     stage.view.export.click()
     settle()
     with zipfile.ZipFile(asker.answer) as archive:
-        assert any(name.endswith("-left.nc") for name in archive.namelist())
+        assert any(name.endswith("-left-3.nc") for name in archive.namelist())
     loaded = memory.load().milling
     assert loaded is not None
     assert (loaded.machine.name, loaded.both_sides) == ("GRBL", False)
