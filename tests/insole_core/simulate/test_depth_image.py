@@ -36,7 +36,7 @@ def _true_raw(device: Device, tilt_deg: float) -> np.ndarray:
     return device.distort(device.sensor.disparity.raw(depth_mm))
 
 
-def _frames(device: Device, tilt_deg: float, count: int = 40) -> np.ndarray:
+def _frames(device: Device, tilt_deg: float, count: int = 20) -> np.ndarray:
     rng = np.random.default_rng(11)
     recording = record_depth(SceneCaster(_plate(tilt_deg)), device, np.eye(4), rng)
     return np.stack([recording.frame(rng)[CENTRE] for _ in range(count)]).astype(float)

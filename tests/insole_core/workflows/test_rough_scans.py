@@ -9,10 +9,13 @@ import numpy as np
 import pytest
 
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_placement import place_foot
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
 from insole_core.workflows.import_scan import examine_scan
 
 TURN = rotation_about(np.array([1.0, 2.0, 0.5]), 140.0)
@@ -82,6 +85,13 @@ def on_glass(mesh: TriangleMesh) -> TriangleMesh:
 def with_inner_layer(mesh: TriangleMesh) -> TriangleMesh:
     """Another surface 2 mm within."""
     return joined(mesh, mesh.moved(mesh.vertices - 2 * mesh.vertex_normals).flipped())
+
+
+@pytest.fixture(scope="module")
+def left_foot() -> Foot:
+    """A left foot in fewer triangles than elsewhere."""
+    mesh = build_foot(FootShape(side=Side.LEFT), np.random.default_rng(1), cell_mm=4.0).mesh
+    return place_foot(mesh, Side.LEFT, frame="reference")
 
 
 @pytest.mark.parametrize(

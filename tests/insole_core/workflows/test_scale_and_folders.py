@@ -17,6 +17,8 @@ from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.scans.scale import KnownDistance, KnownFootLength, KnownShoeSize, known_length_mm
+from insole_core.simulate.foot_model import build_foot
+from insole_core.simulate.foot_shape import FootShape
 from insole_core.workflows.import_scan import (
     examine_scan,
     nearest_candidate,
@@ -24,6 +26,17 @@ from insole_core.workflows.import_scan import (
     take_foot,
 )
 from insole_core.workflows.scanned_feet import ScannedFoot, choice_of
+
+
+@pytest.fixture(scope="module")
+def left_mesh() -> TriangleMesh:
+    """A left foot in fewer triangles than elsewhere."""
+    return build_foot(FootShape(side=Side.LEFT), np.random.default_rng(1), cell_mm=4.0).mesh
+
+
+@pytest.fixture(scope="module")
+def right_mesh(left_mesh: TriangleMesh) -> TriangleMesh:
+    return replace(left_mesh, vertices=left_mesh.vertices * [-1, 1, 1]).flipped()
 
 
 @pytest.fixture(scope="module")
@@ -127,7 +140,7 @@ def test_points_clicked_on_one_of_two_feet_tell_how_that_one_lies(left_mesh, rig
 def test_a_file_with_both_feet_beside_another_scan_loses_none(left_mesh, right_mesh, tmp_path):
     beside = right_mesh.vertices + np.array([200.0, 0.0, 0.0])
     both = TriangleMesh(
-        np.vstack([left_mesh.vertices, beside]),
+        np.vstack([1.002 * left_mesh.vertices, beside]),  # the larger foot comes first
         np.vstack([left_mesh.triangles, right_mesh.triangles + len(left_mesh.vertices)]),
     )
     feet = examine_scan(folder_of(tmp_path, both=both, again=right_mesh)).feet
