@@ -126,7 +126,12 @@ def test_zones_for_a_printer(call: list[str], tmp_path: Path) -> None:
     content["zones"] = [{"zone": "heel", "density_percent": 33}]
     zones.write_text(json.dumps(content))
     options = ["--printer", "prusaslicer", "--zones", str(zones)]
-    assert run([*call, "--out", str(out), *options]) == 0
+    sheet = tmp_path / "sheet.pdf"
+    assert run([*call, "--out", str(out), *options, "--job-sheet", str(sheet)]) == 0
+    printed = " ".join(text_of_pdf(sheet).split())
+    assert re.search(r"layers of 0.2 mm \d+ %, [\d.]+ g", printed)
+    assert re.search(r"heel 33 % \d+ %, [\d.]+ g", printed)
+    assert "make the print denser than its infill" in printed
     with zipfile.ZipFile(out) as archive:
         config = archive.read("Metadata/Slic3r_PE_model.config").decode()
     assert re.findall(r'"name" value="(.+? %)"', config) == [
