@@ -17,7 +17,7 @@ from insole_core.workflows.calibration.report_files import keep_step, step_date
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
 from insole_studio.features.calibrate.calibration_steps import STEPS, CalibrationStep
-from insole_studio.features.calibrate.rows import BoardSize, Buttons, LookRow, StepRow
+from insole_studio.features.calibrate.rows import BoardSize, CalibrateButtons, LookRow, StepRow
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.texts import tr
 
@@ -286,7 +286,7 @@ class CalibratePresenter:
             self._panel.show_progress(0.0, "")
         usable = self._readiness is not None and self._readiness.usable > 0
         self._panel.show_buttons(
-            Buttons(
+            CalibrateButtons(
                 choose=idle and self._sensor is not None,
                 calibrate=idle and usable,
                 save=idle and self._result is not None,

@@ -34,7 +34,7 @@ class BoardSize:
 
 
 @dataclass(frozen=True)
-class Buttons:
+class CalibrateButtons:
     """Which buttons are enabled."""
 
     choose: bool = False

@@ -21,7 +21,13 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.geometry.arrays import ByteArray
-from insole_studio.features.calibrate.rows import BoardSize, Buttons, LiveRow, LookRow, StepRow
+from insole_studio.features.calibrate.rows import (
+    BoardSize,
+    CalibrateButtons,
+    LiveRow,
+    LookRow,
+    StepRow,
+)
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.number_field import NumberField
@@ -184,7 +190,7 @@ class CalibrateView(QWidget):
         """Show the progress of a job (`fraction` 0 to 1); an empty text hides it."""
         self._progress.show_work(fraction, text)
 
-    def show_buttons(self, buttons: Buttons) -> None:
+    def show_buttons(self, buttons: CalibrateButtons) -> None:
         """Enable and disable the buttons."""
         self.choose.setEnabled(buttons.choose)
         self.calibrate.setEnabled(buttons.calibrate)

@@ -27,7 +27,7 @@ from insole_core.workflows.compare_case import (
 )
 from insole_core.workflows.overwriting import check_overwriting
 from insole_studio.document.case import Case
-from insole_studio.features.compare.rows import FILE, FOLDER, Buttons, figure_rows
+from insole_studio.features.compare.rows import FILE, FOLDER, CompareButtons, figure_rows
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint
@@ -335,7 +335,7 @@ class ComparePresenter:
         if not busy:
             self._panel.show_progress(0.0, "")
         self._panel.show_buttons(
-            Buttons(
+            CompareButtons(
                 save=not busy and self._compared is not None,
                 cancel=busy,
                 take_back=any(self._points.values()),

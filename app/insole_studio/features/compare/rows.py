@@ -22,7 +22,7 @@ class FigureRow:
 
 
 @dataclass(frozen=True)
-class Buttons:
+class CompareButtons:
     """Which controls are enabled."""
 
     save: bool = False

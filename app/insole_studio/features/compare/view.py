@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.features.compare.rows import Buttons, FigureRow
+from insole_studio.features.compare.rows import CompareButtons, FigureRow
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import MarkedPoint
@@ -193,7 +193,7 @@ class CompareView(QWidget):
         """Show the progress of a job (`fraction` 0 to 1); an empty text hides it."""
         self._progress.show_work(fraction, text)
 
-    def show_buttons(self, buttons: Buttons) -> None:
+    def show_buttons(self, buttons: CompareButtons) -> None:
         """Enable and disable the buttons."""
         self.save.setEnabled(buttons.save)
         self.cancel.setVisible(buttons.cancel)

@@ -34,7 +34,7 @@ from insole_core.workflows.session_editor import SessionEditor
 from insole_studio.features.foot.marker_presenter import ImagePanel, MarkerPresenter
 from insole_studio.features.foot.rows import (
     VIEW_COLORS,
-    Buttons,
+    FootButtons,
     FootMap,
     Limits,
     ViewRow,
@@ -77,7 +77,7 @@ class FootStagePanel(ImagePanel, Protocol):
     def show_limits(self, limits: Limits) -> None: ...  # noqa: D102
     def show_sentences(self, sentences: Sequence[str]) -> None: ...  # noqa: D102
     def show_progress(self, fraction: float, text: str) -> None: ...  # noqa: D102
-    def show_buttons(self, buttons: Buttons) -> None: ...  # noqa: D102
+    def show_buttons(self, buttons: FootButtons) -> None: ...  # noqa: D102
 
 
 @dataclass(frozen=True, eq=False)
@@ -501,7 +501,7 @@ class FootStagePresenter:
         busy = self._jobs.is_running(MAKING) or self._jobs.is_running(READING)
         history = self._work.history if self._work is not None else None
         self._panel.show_buttons(
-            Buttons(
+            FootButtons(
                 make=self._work is not None and not busy,
                 cancel=busy,
                 go_on=bool(self._made_feet) and not (busy and self._is_stale),

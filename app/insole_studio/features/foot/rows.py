@@ -114,7 +114,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Buttons:
+class FootButtons:
     """Which buttons are enabled."""
 
     make: bool = False

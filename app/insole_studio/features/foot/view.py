@@ -25,7 +25,7 @@ from insole_core.geometry.side import Side
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import ViewEdits
 from insole_studio.features.foot.marker_panel import MarkerPanel
-from insole_studio.features.foot.rows import Buttons, FootMap, Limits, Mark, ViewRow
+from insole_studio.features.foot.rows import FootButtons, FootMap, Limits, Mark, ViewRow
 from insole_studio.features.foot.view_table import ViewTable
 from insole_studio.features.foot.volume_box import BoxFields, box_edges, box_handles
 from insole_studio.scene.coloring import Coloring
@@ -195,7 +195,7 @@ class FootStageView(QWidget):
         self._work.setVisible(bool(text))
         self._work.setText(f"{translate_core_message(text)}…")
 
-    def show_buttons(self, buttons: Buttons) -> None:
+    def show_buttons(self, buttons: FootButtons) -> None:
         """Enable and disable the buttons."""
         for part in (self.markers, self.box, *self.limits):
             part.setEnabled(buttons.has_session)
