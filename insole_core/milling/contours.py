@@ -134,7 +134,7 @@ def contour_loops(
         grown = seen.offset(how.cutter.radius_mm + 2 * _CHORD_MM, circular_segments=_ARC_PIECES)
         lines = _outer_loops(grown.simplify(_CHORD_MM))
         loops.extend(Loop(float(level[-1]), line) for line in lines)
-    _require_room(outermost(loops), block_mm, machine)
+    _require_room(np.concatenate([loop.line_mm for loop in loops]), block_mm, machine)
     return loops
 
 
@@ -154,8 +154,8 @@ def _area(polygon: FloatArray) -> float:
     return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 
 
-def _require_room(loop: FloatArray, block_mm: tuple[float, float, float], machine: Machine) -> None:
-    low, high = loop.min(axis=0), loop.max(axis=0)
+def _require_room(way: FloatArray, block_mm: tuple[float, float, float], machine: Machine) -> None:
+    low, high = way.min(axis=0), way.max(axis=0)
     over = max(*-low, *(high - block_mm[:2]))
     if over > 0:
         raise DesignError(

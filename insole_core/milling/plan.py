@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import scipy
@@ -14,9 +14,10 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.milling.contours import dowel_holes
-from insole_core.milling.drop_cutter import STEEPEST, tip_heights
+from insole_core.milling.drop_cutter import STEEPEST
 from insole_core.milling.machine import Machine
 from insole_core.milling.sides import both_sides_of, mill_side, one_side_of, turned_over
+from insole_core.milling.stock import Stock
 from insole_core.milling.surface import Surface
 from insole_core.milling.tabs import Tabs
 from insole_core.milling.tool_path import Motion, Operation, SideName
@@ -26,7 +27,8 @@ _MOST_LEFT_MM = 0.2
 """Material in a hollow of which nothing is said."""
 _TAB_SHARE = 0.9
 """Of the thickness asked for, from which nothing is said of a tab."""
-_LEFT_PITCH_MM = 1.0
+_LOOK_MM = 0.1
+"""Material of which the coarse figure is looked at again."""
 _FAR_MM = 1e3
 _LAND_MM = 2.0
 """Width along a wall of which the left-over material is not computed."""
@@ -44,7 +46,7 @@ _HOLLOW = {
 
 @dataclass(frozen=True, eq=False)
 class LeftOver:
-    """Material that the finishing cutter cannot reach, on pixels of about 1 mm.
+    """Material that the program leaves, on pixels of about 0.5 mm.
 
     Parameters
     ----------
@@ -197,9 +199,10 @@ def plan_milling(
         operations = []
     left_over = []
     for side, part in zip(sides, parts[1:], strict=True):
-        operations += mill_side(side, machine, block_mm[2], part.part(0.0, 0.9))
+        own, stock = mill_side(side, machine, block_mm[2], part.part(0.0, 0.9))
+        operations += own
         part.step(0.9, "Looking for material that stays")
-        left_over.append(_left_over(side.surface, machine, side.name))
+        left_over.append(_left_over(side.surface, stock, side.name))
     hollows = [_hollow(left, machine, block_mm, lying, feet) for left in left_over]
     notes = tuple(note for note in (*hollows, _thin_tabs(sides[0].tabs)) if note is not None)
     return MillingPlan(
@@ -282,27 +285,17 @@ def _require_travel(block_mm: tuple[float, float, float], machine: Machine) -> N
             )
 
 
-def _left_over(surface: Surface, machine: Machine, side: SideName) -> LeftOver:
-    """Compute the closing of the surface by the ball, on every few nodes of the grid."""
-    every = max(round(_LEFT_PITCH_MM / 2 / surface.step_mm), 1)
+def _left_over(surface: Surface, stock: Stock, side: SideName) -> LeftOver:
+    """Compare what the cutters leave with the surface, on every few nodes of the grid."""
+    every = stock.every
     heights, within = surface.heights_mm[::every, ::every], _off_the_walls(surface, every)
-    # Beyond the walls the surface goes on as at its rim: beside a rim there is no hollow.
-    nearest = scipy.ndimage.distance_transform_edt(
-        ~within, return_distances=False, return_indices=True
-    )
-    coarse = replace(
-        surface, step_mm=surface.step_mm * every, heights_mm=heights[tuple(nearest)],
-        inside=within, floor_mm=-_FAR_MM,
-    )  # fmt: skip
-    cutter = machine.finishing.cutter
-    lines = np.arange(within.shape[0])
-    tips = tip_heights(coarse, cutter, lines)
-    below = replace(coarse, heights_mm=np.asarray(-tips - cutter.diameter_mm, np.float32))
-    closed = -(tip_heights(below, cutter, lines) + cutter.diameter_mm)
-    left = np.where(within, np.maximum(closed - coarse.heights_mm, 0), np.nan)
+    left = np.where(within, stock.heights_mm - heights, np.nan)
+    look = np.argwhere(left > _LOOK_MM)
+    exact = stock.swept_at(look * every) - heights[tuple(look.T)]
+    left[tuple(look.T)] = np.minimum(exact, left[tuple(look.T)])
     return LeftOver(
-        side, surface.first_mm, 2 * coarse.step_mm,
-        left[::2, ::2], np.asarray(heights[::2, ::2], float),
+        side, surface.first_mm, every * surface.step_mm,
+        np.maximum(left, 0), np.asarray(heights, float),
     )  # fmt: skip
 
 

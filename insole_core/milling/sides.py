@@ -107,8 +107,8 @@ def both_sides_of(
 
 def mill_side(
     side: BlockSide, machine: Machine, block_height_mm: float, progress: Progress
-) -> list[Operation]:
-    """Return the operations of a side: roughing, finishing, contour.
+) -> tuple[list[Operation], Stock]:
+    """Return the operations of a side (roughing, finishing, contour), and what they leave.
 
     Raises
     ------
@@ -129,7 +129,7 @@ def mill_side(
         side=side.name, tabs=side.tabs,
         stock=stock, along_edges=side.along_edges,
     )  # fmt: skip
-    return [operation for operation in (rough, finish, walls) if operation is not None]
+    return [each for each in (rough, finish, walls) if each is not None], stock
 
 
 def turned_over(

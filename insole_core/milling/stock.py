@@ -46,11 +46,11 @@ class Stock:
     def __init__(self, surface: Surface, height_mm: float, line_mm: float) -> None:
         line = surface.steps_in(line_mm)
         coarsest = max(round(_PITCH_MM / surface.step_mm), 1)
-        self._every = next(n for n in range(coarsest, 0, -1) if line % n == 0)
-        self._step_mm = surface.step_mm * self._every
+        self.every = next(n for n in range(coarsest, 0, -1) if line % n == 0)
+        self._step_mm = surface.step_mm * self.every
         self._first_mm = surface.first_mm
         self._shape = surface.inside.shape
-        coarse = surface.inside[:: self._every, :: self._every]
+        coarse = surface.inside[:: self.every, :: self.every]
         self._heights: Float32Array = np.full(coarse.shape, height_mm, np.float32)
 
     def sweep(self, tips_mm: FloatArray, active: BoolArray, cutter: Cutter) -> None:
@@ -61,8 +61,8 @@ class Stock:
         tips_mm, active : (nx, ny)
             Of the surface's grid.
         """
-        every = self._every
-        tips = np.where(active, tips_mm, _HIGH_MM)[::every, ::every].astype(np.float32)
+        self._swept, self._sweeper = np.where(active, np.float32(tips_mm), _HIGH_MM), cutter
+        tips = self._swept[:: self.every, :: self.every]
         if cutter.shape == "flat":
             swept = cv2.erode(
                 tips, disc(cutter.radius_mm, self._step_mm),
@@ -76,6 +76,25 @@ class Stock:
         for i, j, above in zip(*_under(cutter, self._step_mm), strict=True):
             moved = ring[reach + i : reach + i + nx, reach + j : reach + j + ny]
             np.minimum(self._heights, moved + np.float32(above), out=self._heights)
+
+    @property
+    def heights_mm(self) -> Float32Array:
+        """What is left at every few nodes of the surface's grid, above the block's bottom."""
+        return self._heights
+
+    def swept_at(self, nodes: IntArray) -> FloatArray:
+        """Return what the last sweep has left (n,) at nodes (n, 2) of the surface's grid.
+
+        Other than `heights_mm` with all that the cutter has gone along, between those nodes too.
+        """
+        i, j, above = _under(self._sweeper, self._step_mm / self.every)
+        left = np.empty(len(nodes))
+        for begin in range(0, len(nodes), _MOST_SAMPLES):
+            part = nodes[begin : begin + _MOST_SAMPLES]
+            a = np.clip(part[:, :1] + i, 0, self._shape[0] - 1)
+            b = np.clip(part[:, 1:] + j, 0, self._shape[1] - 1)
+            left[begin : begin + _MOST_SAMPLES] = (self._swept[a, b] + above).min(axis=1)
+        return left
 
     def cut(self, path_mm: FloatArray, cutter: Cutter) -> None:
         """Take away what a cutter meets on a path (n, 3) of its tip."""
@@ -106,7 +125,7 @@ class Stock:
         tips = np.full((nx, ny), -np.inf, np.float32)
         for a, b, height in zip(i + reach, j + reach, above, strict=True):
             np.maximum(tips, ring[a : a + nx, b : b + ny] - np.float32(height), out=tips)
-        whole = tips.repeat(self._every, axis=0).repeat(self._every, axis=1)
+        whole = tips.repeat(self.every, axis=0).repeat(self.every, axis=1)
         return np.asarray(whole[: self._shape[0], : self._shape[1]], float)
 
     def write(

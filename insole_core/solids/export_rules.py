@@ -59,6 +59,18 @@ class ExportRules:
         limits = self.limits if limit is None else {**self.limits, name: limit}
         return replace(self, policies={**self.policies, name: policy}, limits=limits)
 
+    def for_maker(self, cutter_mm: float | None, *, is_printed: bool) -> ExportRules:
+        """Return the rules for a printer, which leaves nothing in hollows, or for a router.
+
+        Parameters
+        ----------
+        cutter_mm
+            Diameter of the router's finishing cutter; None for the one of the rules.
+        """
+        if is_printed:
+            return self.with_rule("cutter", "off")
+        return self if cutter_mm is None else self.with_cutter(cutter_mm)
+
     def with_cutter(self, diameter_mm: float) -> ExportRules:
         """Return the rules for another ball-nose cutter.
 

@@ -283,8 +283,10 @@ def _rules(arguments: argparse.Namespace, block: Block | None) -> ExportRules:
     from insole_core.solids.export_rules import read_rules
 
     rules = read_rules(arguments.rules)
-    if arguments.cutter is not None:
-        rules = rules.with_cutter(arguments.cutter)
+    cutter_mm = arguments.cutter
+    if cutter_mm is None and arguments.gcode is not None:
+        cutter_mm = _machine(arguments).finishing.cutter.diameter_mm
+    rules = rules.for_maker(cutter_mm, is_printed=arguments.printer is not None)
     if block is not None:
         return replace(rules, block_mm=block.size_mm)
     return rules if arguments.rules is not None else replace(rules, block_mm=None)

@@ -225,8 +225,8 @@ class ExportPresenter:
         before, self._choice = self._choice, choice
         if choice.terms != before.terms:
             self._case.note_order(replace(self._case.record.order, terms=choice.terms))
-        same_cutter = _cutter_mm(choice) == _cutter_mm(before)
-        if choice.makes_alike(before) and same_cutter and not self._problem:
+        same_maker = _maker(choice) == _maker(before)
+        if choice.makes_alike(before) and same_maker and not self._problem:
             self._show_order()
             if (choice.printing, choice.milling) != (before.printing, before.milling):
                 self._prepare()
@@ -332,8 +332,7 @@ class ExportPresenter:
             return
         record, choice, rules = self._record, self._order, self._rules
         materials = self._materials
-        if cutter_mm is not None:
-            rules = rules.with_cutter(cutter_mm)
+        rules = rules.for_maker(cutter_mm, is_printed=choice.printing is not None)
         self._machine.forget()
 
         def make(progress: Progress) -> tuple[Part, ...]:
@@ -766,6 +765,11 @@ class ExportPresenter:
                 reason=self._blocked,
             )
         )
+
+
+def _maker(choice: OrderChoice) -> tuple[bool, float | None]:
+    """Return on what the checks of an order depend."""
+    return choice.printing is not None, _cutter_mm(choice)
 
 
 def _cutter_mm(choice: OrderChoice) -> float | None:

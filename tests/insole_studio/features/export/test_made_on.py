@@ -168,6 +168,7 @@ def test_zones_are_drawn_and_a_typed_weight_holds_without_enter(
     choose(form.machine.made_on, "Printer: PrusaSlicer")
     settle()
     assert stage.view.swatches.texts == ("heel 20 %", "arch 32 %", "forefoot 18 %")
+    assert all(each.name != "cutter" for each in stage.presenter.parts[0].findings)
     assert "2 walls" in form.machine.facts.text()
     assert "With walls and solid layers of 0.2 mm: " in form.machine.facts.text()
     assert "denser than its infill (heel 20 %: " in form.machine.error.text()
@@ -219,6 +220,8 @@ def test_a_router_gets_its_program_beside_the_solid(
     assert fields.error.text() == ""
     assert "min without changes of cutters" in fields.facts.text()
     assert stage.view.form.cutter.value() == 6.0
+    (hollows,) = (each for each in stage.presenter.parts[0].findings if each.name == "cutter")
+    assert "6 mm cutter" in str(hollows.unit)
     asker.answer = tmp_path / "anna.stl"
     told: list[Ordered] = []
     stage.exported.connect(lambda _record, ordered: told.append(ordered))
