@@ -140,9 +140,9 @@ _SIZES_EU, _SIZES_UK = (15.0, 55.0), (1.0, 17.0)  # that exist; children's Engli
 _DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.2
 _SIZES = ("foot_length", "ball_width", "ball_width_across", "ball_length", "heel_width")
 _PLACING_MM = 0.3  # of the views against each other, in every size
-_SIDE_MM, _ALONG_SIDE_MM = 0.35, 1.5
-"""Of an end at the side of a foot: across it, because its section is not quite round, and along it,
-because it is nearly straight."""
+_SIDE_MM, _HEEL_SIDE_MM, _ALONG_SIDE_MM = 0.35, 0.5, 1.5
+"""Of an end at the side of a foot: across it, because its section is not quite round, above all
+that of the heel, and along it, because it is nearly straight."""
 
 
 def deviations_mm(landmarks: Landmarks) -> dict[str, float]:
@@ -161,7 +161,7 @@ def _end_deviation_mm(landmarks: Landmarks, end: str, size: str) -> float:
     own = landmarks[end].deviation_mm or 0.0
     if end not in _AT_SIDES:
         return own
-    across = float(np.hypot(own, _SIDE_MM))
+    across = float(np.hypot(own, _HEEL_SIDE_MM if end.startswith("heel") else _SIDE_MM))
     if size == "ball_length":
         return _ALONG_SIDE_MM
     if size != "ball_width":
