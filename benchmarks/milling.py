@@ -36,7 +36,7 @@ from tests.insole_core.milling.judgement import (
 from tests.insole_core.milling.test_milling import left_of
 
 DESIGNS, HEIGHT_MM = 50, 60.0
-GOUGE_MM, SURPLUS_MM, SECONDS = 0.02, 0.05, 1.5
+GOUGE_MM, SURPLUS_MM, SECONDS = 0.02, 0.05, 4.0
 PITCH_MM = 0.3
 BOTH_SIDES_EVERY = 5
 LEAST_TABS = 0.8

@@ -55,6 +55,8 @@ class Cutter:
         From the tip to the collet.
     flute_mm
         Length of the cutting edges; above them nothing may be cut.
+    shank_mm
+        Diameter above them.
     """
 
     number: int
@@ -63,6 +65,7 @@ class Cutter:
     diameter_mm: float
     reach_mm: float
     flute_mm: float
+    shank_mm: float
     spindle_rpm: float
     feed_mm_min: float
     plunge_mm_min: float
@@ -318,14 +321,15 @@ def _positive(item: JsonObject, key: str, most: float) -> float:
 
 
 def _cutter(item: JsonObject) -> Cutter:
-    reach_mm = item.number("reach_mm", 1, 300)
+    reach_mm, diameter_mm = item.number("reach_mm", 1, 300), item.number("diameter_mm", 1, 40)
     return Cutter(
         number=item.integer("number", 1, 999),
         name=item.text("name"),
         shape=item.choice("shape", get_args(Shape)),
-        diameter_mm=item.number("diameter_mm", 1, 40),
+        diameter_mm=diameter_mm,
         reach_mm=reach_mm,
         flute_mm=item.number("flute_mm", 1, reach_mm) if item.has("flute_mm") else reach_mm,
+        shank_mm=item.number("shank_mm", 1, 40) if item.has("shank_mm") else diameter_mm,
         spindle_rpm=_positive(item, "spindle_rpm", 100_000),
         feed_mm_min=_positive(item, "feed_mm_min", 50_000),
         plunge_mm_min=_positive(item, "plunge_mm_min", 50_000),

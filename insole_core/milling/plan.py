@@ -255,6 +255,15 @@ def _require_fit(
                 reach=cutter.reach_mm,
                 depth=deepest,
             )
+        if cutter.shank_mm > cutter.diameter_mm and cutter.flute_mm < deepest:
+            raise DesignError(
+                'The shank of the cutter "{cutter}" is thicker than its edges, which are {flute:g} '
+                "mm long, and must go {depth:.1f} mm deep beside walls; take a lower block or "
+                "another cutter.",
+                cutter=cutter.name,
+                flute=cutter.flute_mm,
+                depth=deepest,
+            )
     _require_travel(block_mm, machine)
 
 

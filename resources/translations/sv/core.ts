@@ -3664,6 +3664,10 @@
             <translation>Inställningarna i {path} är skadade, så det är inte känt var journalen finns; starta fönstret en gång för att laga dem, eller ange journalen.</translation>
         </message>
         <message>
+            <source>The shank of the cutter "{cutter}" is thicker than its edges, which are {flute:g} mm long, and must go {depth:.1f} mm deep beside walls; take a lower block or another cutter.</source>
+            <translation>Skaftet på fräsen ”{cutter}” är tjockare än dess skär, som är {flute:g} mm långa, och måste gå {depth:.1f} mm djupt intill väggar; ta ett lägre block eller en annan fräs.</translation>
+        </message>
+        <message>
             <source>The shape does not tell left from right (a left foot, {left}, or a right one, {right}); say which foot it is.</source>
             <translation>Formen skiljer inte vänster från höger (en vänsterfot, {left}, eller en högerfot, {right}); ange vilken fot det är.</translation>
         </message>

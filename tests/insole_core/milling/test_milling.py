@@ -478,6 +478,7 @@ def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
         ((60.0, 110.0, 26.0), {}, "does not lie within the block"),
         (BLOCK_MM, {"travel_mm": (50.0, 500.0, 120.0)}, "travels 50 mm along x"),
         (BLOCK_MM, {"reach_mm": 12.0}, "reaches 12 mm, and must go 26.0 mm deep"),
+        (BLOCK_MM, {"shank_mm": 8.0}, "edges, which are 22 mm long, and must go 26.0 mm deep"),
         (BLOCK_MM, {"offset_mm": (-5.0, 0.0)}, "origin of LinuxCNC lies outside the block"),
     ],
 )
@@ -487,9 +488,9 @@ def test_what_cannot_be_milled_is_one_sentence(block_mm, changes, sentence):
         how = replace(how, travel_mm=changes["travel_mm"])
     if "offset_mm" in changes:
         how = replace(how, origin=replace(how.origin, offset_mm=changes["offset_mm"]))
-    if "reach_mm" in changes:
-        short = replace(how.contour.cutter, reach_mm=changes["reach_mm"])
-        how = replace(how, contour=replace(how.contour, cutter=short))
+    if changes.keys() & {"reach_mm", "shank_mm"}:
+        other = replace(how.contour.cutter, **changes)
+        how = replace(how, contour=replace(how.contour, cutter=other))
     with pytest.raises(DesignError, match=sentence):
         plan_milling([solid()], block_mm, how)
 
