@@ -157,7 +157,11 @@ def _measured(line: _Array, asked_mm: float) -> tuple[float, float]:
     top = int((line[:, 1] - line[:, 0]).argmax())
     outer = np.flatnonzero((way[1:] > way[top] - 3 * asked_mm) & (np.abs(turned) < 45))
     outer = outer[outer <= top]
-    wall = int(outer[length[outer].argmax()]) if len(outer) else max(top - 1, 0)
+    # A wall may be cut into several sides of one direction.
+    alike = np.abs(turned[outer, None] - turned[outer]) < 3
+    wall = max(top - 1, 0)
+    if len(outer):
+        wall = int(outer[alike[(alike @ length[outer]).argmax()]].max())
     behind = min(int(np.searchsorted(way, way[top] + 2.7 * asked_mm)), len(step) - 1)
     arc_mm = 0.8 * asked_mm * np.radians(max(turned[behind] - turned[wall], 10.0))
     bent = [
