@@ -154,7 +154,7 @@ _KILLED_MIGRATION = """
 import os, signal, sys
 from pathlib import Path
 from alembic import command
-from insole_core.records import search_text
+from insole_core.records import person_matching
 from insole_core.records.author import Author
 from insole_core.records.records import open_records
 from insole_core.records.place import RecordsPlace
@@ -171,7 +171,7 @@ folder, moment, *url = sys.argv[1:]
 if moment == "end":
     command.upgrade = killed
 else:  # as the words of a person are written, in a table that has just been made
-    search_text.search_text_of = die
+    person_matching.search_text_of = die
 place = RecordsPlace.local(Path(folder))
 if url:
     place = RecordsPlace.of_url(*url, Path(folder))
