@@ -155,7 +155,7 @@ def _measured(line: _Array, asked_mm: float) -> tuple[float, float]:
     length, turned = np.hypot(*step.T), np.degrees(np.arctan2(step[:, 0], step[:, 1]))
     way = np.concatenate([[0], np.cumsum(length)])
     top = int((line[:, 1] - line[:, 0]).argmax())
-    outer = np.flatnonzero((way[1:] > way[top] - 3 * asked_mm) & (np.abs(turned) < 45))
+    outer = np.flatnonzero((way[1:] > way[top] - 3 * asked_mm) & (np.abs(turned) < 30))
     outer = outer[outer <= top]
     # A wall may be cut into several sides of one direction.
     alike = np.abs(turned[outer, None] - turned[outer]) < 3
