@@ -23,6 +23,8 @@ _PITCH_MM: Final = 1.0
 _ROUNDING: Final = 1.5
 """Pixels by which two painted outlines may be nearer than their pixels are."""
 _SUBPIXEL_BITS: Final = 8
+_SAME: Final = 1e-6
+"""Pixels of a length that are only the rounding of its last digit."""
 
 
 @dataclass(frozen=True)
@@ -76,11 +78,11 @@ def pack(
     ------
     Cancelled
     """
-    columns, rows = (int((side - 2 * margin_mm) / _PITCH_MM) for side in size_mm)
+    columns, rows = (int((side - 2 * margin_mm) / _PITCH_MM + _SAME) for side in size_mm)
     found: list[Packed | None] = [None] * len(outlines)
     if min(columns, rows) < 1:
         return tuple(found)
-    taken = np.zeros((rows, columns), np.float32)
+    taken = np.zeros((rows + 1, columns + 1), np.float32)  # a pixel on both ends
     around = _disc(gap_mm / _PITCH_MM + _ROUNDING)
     order = sorted(range(len(outlines)), key=lambda number: -_area_mm2(outlines[number]))
     for number, step in zip(order, progress.parts(len(order)), strict=True):
@@ -116,7 +118,7 @@ def _lowest(
 def _painted(outline: FloatArray) -> Float32Array:
     """Return 1 for every pixel that an outline touches; its least corner is on the first one."""
     pixels = (outline - outline.min(axis=0)) / _PITCH_MM
-    columns, rows = np.ceil(pixels.max(axis=0)).astype(int) + 1
+    columns, rows = np.ceil(pixels.max(axis=0) - _SAME).astype(int) + 1
     mask = np.zeros((rows, columns), np.uint8)
     points = np.rint(pixels * 2**_SUBPIXEL_BITS).astype(np.int32)
     cv2.fillPoly(mask, [points], 1, shift=_SUBPIXEL_BITS)

@@ -57,6 +57,14 @@ def test_an_outline_is_turned_and_never_mirrored() -> None:
         assert float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) == pytest.approx(area)
 
 
+def test_an_outline_of_just_the_free_size_has_room() -> None:
+    square = np.array([(0.0, 0), (192, 0), (192, 192), (0, 192)]) + 0.3
+    (found,) = pack([square], (200.0, 200.0), gap_mm=6, margin_mm=4)
+    assert found is not None
+    assert found.applied(square).min() == pytest.approx(4)
+    assert found.applied(square).max() == pytest.approx(196)
+
+
 def test_what_finds_no_room_is_left_out() -> None:
     square = np.array([(0.0, 0), (90, 0), (90, 90), (0, 90)])
     found = pack([square] * 5, (200.0, 200.0), gap_mm=6, margin_mm=4)
