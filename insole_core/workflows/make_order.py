@@ -360,8 +360,8 @@ def write_order(
     DesignError
         When a blocking check failed without an override, or a pair does not fit its block.
     InputError
-        When a text for the workshop holds the patient's name, or the prescription lacks what it
-        states.
+        When a text for the workshop holds the patient's name, the pieces carry serial numbers of
+        another order or revision, or the prescription lacks what it states.
     OutputError
         When a place cannot be written.
     Cancelled
@@ -370,6 +370,7 @@ def write_order(
     materials = ", ".join(dict.fromkeys(filter(None, named)))
     release = release or Release()
     _require_nameless(choice, materials, path, patient, override=override, release=release)
+    _require_serials(choice, release, [part.side for part in parts])
     if choice.prescription:
         require_prescription(choice, patient, responsible)
     places = _all_places(parts, choice, path, override is not None)
@@ -496,6 +497,22 @@ def _require_nameless(
     require_nameless(patient, texts)
 
 
+def _require_serials(choice: OrderChoice, release: Release, sides: Sequence[Side]) -> None:
+    """Check that the serial numbers on the pieces are those of the order."""
+    if choice.relief is None or not choice.numbered:
+        return
+    known = choice.pseudonym.strip()
+    for side in sides:
+        made, ordered = (serial_number(of, known, side) for of in (choice.release, release))
+        if made != ordered:
+            raise InputError(
+                "The pieces carry the serial number {made}, and it is {ordered} in the order; "
+                "write it to another place, or without serial numbers on the pieces.",
+                made=made,
+                ordered=ordered,
+            )
+
+
 def files_of(
     parts: Sequence[Part], choice: OrderChoice, path: Path, overridden: bool
 ) -> tuple[Path, ...]:
@@ -586,9 +603,9 @@ def block_edges(block: Block) -> list[FloatArray]:
     list of (n, 3) float64, mm
         Polylines; the block has a corner at the origin, its length along +y and its width along +x.
     """
-    length, width = sorted(block.size_mm[:2], reverse=True)
+    length, width, height = block.sides_mm
     rings = [
         np.array([(0, 0, z), (width, 0, z), (width, length, z), (0, length, z), (0, 0, z)], float)
-        for z in (0.0, block.size_mm[2])
+        for z in (0.0, height)
     ]
     return [*rings, *(np.stack(pair) for pair in zip(*(ring[:4] for ring in rings), strict=True))]

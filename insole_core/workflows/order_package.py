@@ -224,7 +224,6 @@ def _check_item(item: PackedItem, today: date, before: Sequence[OrderItem]) -> N
 
 def _write_item(item: PackedItem, how: _How, progress: Progress) -> OrderItem:
     choice = replace(item.choice, prescription=False)  # it names the patient
-    _require_revision(choice, how.release)
     named = how.folder / f"{_stem(choice.pseudonym)}{choice.suffix}"
     write_order(
         item.parts, choice, named,
@@ -247,19 +246,6 @@ def _write_item(item: PackedItem, how: _How, progress: Progress) -> OrderItem:
         tuple(part.side for part in item.parts if part.insole.foot.mirrored),
         {side: serial_number(how.release, choice.pseudonym, side) for side in sides},
     )
-
-
-def _require_revision(choice: OrderChoice, release: Release) -> None:
-    """Check that the serial numbers on the pieces are those of the order."""
-    is_numbered = choice.relief is not None and choice.numbered
-    if is_numbered and choice.release.revision != release.revision:
-        raise InputError(
-            "The pieces carry the serial number of revision {made}, and the order becomes "
-            "revision {revision}; write it to another place, or without serial numbers on the "
-            "pieces.",
-            made=choice.release.revision,
-            revision=release.revision,
-        )
 
 
 def _added(

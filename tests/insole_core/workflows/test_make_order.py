@@ -130,6 +130,11 @@ def test_lot_and_serial_number_stand_on_paper_and_by_choice_on_the_piece(
         assert "26-7KQ4M-P-17-2-L/1" in text
         on_pages = {"job-sheet": 2, "prescription": 0}[paper]
         assert text.count("Soft under the heel") == on_pages, "on the drawing and on the sheet"
+    with pytest.raises(InputError, match="26-7KQ4M-P-17-2-L, and it is 26-8HT2C-P-17-2-L"):
+        write_order(
+            [part], choice, tmp_path / "p.stl",
+            shop=SHOP, patient=PATIENT, responsible=RESPONSIBLE, release=Release("26-8HT2C", 2),
+        )  # fmt: skip
 
 
 def test_a_name_from_right_to_left_is_drawn_in_its_order(

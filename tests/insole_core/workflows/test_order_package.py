@@ -386,7 +386,9 @@ def test_serial_numbers_are_those_of_the_order(parts: tuple[Part, ...], tmp_path
     assert verified.problems == ()
     assert verified.order.items[0].serials == item.serials
     assert verified.order.items[0].terms.lot == "L-42"
-    with pytest.raises(InputError, match="carry the serial number of revision 1"):
+    with pytest.raises(
+        InputError, match="carry the serial number A7-P-17-1-L, and it is A7-P-17-2-L"
+    ):
         written(1)
     (item,) = written(2).items
     assert all("-2-" in serial for serial in item.serials.values())
