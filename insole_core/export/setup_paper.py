@@ -81,11 +81,14 @@ class SetupSheet:
         Facts, by the keys of the texts of the paper.
     steps
         What to do, one after the other.
+    notes
+        What the operator should know of the work, one sentence each.
     """
 
     sections: Mapping[str, Facts]
     steps: Sequence[str]
     plan: SetupPlan
+    notes: Sequence[str] = ()
 
 
 def write_setup_paper(sheet: SetupSheet, path: Path, translate: Translate = str) -> None:
@@ -105,6 +108,8 @@ def write_setup_paper(sheet: SetupSheet, path: Path, translate: Translate = str)
     story += listed(
         texts["steps"], [f"{number}. {step}" for number, step in enumerate(sheet.steps, 1)]
     )
+    if sheet.notes:
+        story += listed(texts["notes"], sheet.notes)
     story += [paragraph(texts["picture"], HEAD), _SetupPicture(sheet.plan, texts)]
     story.append(paragraph(texts["footer"], NOTE))
     write_pages(story, path, texts["title"])

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 from xml.sax.saxutils import quoteattr
 
+from insole_core.formats.scan_content import MOST_BYTES
 from insole_core.formats.solid_content import merged
 from insole_core.formats.three_mf import (
     assembly_xml,
@@ -23,6 +24,7 @@ from insole_core.formats.three_mf import (
     write_package,
 )
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.zip_archive import ZipArchive
 
 Printer: TypeAlias = Literal["prusaslicer", "orca", "cura"]
 PRINTERS: tuple[Printer, ...] = get_args(Printer)
@@ -37,6 +39,8 @@ PATTERNS: tuple[Pattern, ...] = get_args(Pattern)
 
 _CURA = "http://software.ultimaker.com/xml/cura/3mf/2015/10"
 _PRUSA = "http://schemas.slic3r.org/3mf/2017/06"
+_PRUSA_SETTINGS = "Metadata/Slic3r_PE_model.config"
+_ORCA_SETTINGS = "Metadata/model_settings.config"
 _CURA_PATTERNS: dict[Pattern, str] = {
     "gyroid": "gyroid",
     "grid": "grid",
@@ -122,6 +126,20 @@ def write_slicer_3mf(
     write_package(path, *_WRITERS[printer](parts, title))
 
 
+def is_for_slicer(archive: ZipArchive) -> bool:
+    """Return whether a 3MF has the settings of a slicer: some of its bodies may then be zones.
+
+    Raises
+    ------
+    InputError
+        When its model is damaged.
+    """
+    if not {_PRUSA_SETTINGS, _ORCA_SETTINGS}.isdisjoint(archive.names):
+        return True
+    models = (name for name in archive.names if name.lower().endswith(".model"))
+    return any(_CURA.encode() in archive.read(name, MOST_BYTES) for name in models)
+
+
 _Files: TypeAlias = tuple[Iterable[str], Mapping[str, str]]
 """The model, and the files of settings by their place in the archive."""
 
@@ -154,7 +172,7 @@ def _prusaslicer(parts: Sequence[PrintedPart], title: str) -> _Files:
         config.append("</object>\n")
     model += ["</resources>\n", *build_xml(range(1, len(parts) + 1))]
     config.append("</config>\n")
-    return model, {"Metadata/Slic3r_PE_model.config": "".join(config)}
+    return model, {_PRUSA_SETTINGS: "".join(config)}
 
 
 def _prusa_settings(kind: str, settings: Mapping[str, str]) -> Iterable[str]:
@@ -201,7 +219,7 @@ def _orca(parts: Sequence[PrintedPart], title: str) -> _Files:
             ]
         config.append("</object>\n")
     config.append("</config>\n")
-    return model, {"Metadata/model_settings.config": "".join(config)}
+    return model, {_ORCA_SETTINGS: "".join(config)}
 
 
 def _orca_settings(settings: Mapping[str, str]) -> Iterable[str]:

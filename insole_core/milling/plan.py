@@ -25,6 +25,8 @@ from insole_core.progress import SILENT, Progress
 
 _MOST_LEFT_MM = 0.2
 """Material in a hollow of which nothing is said."""
+HEIGHT_TOLERANCE_MM = 0.05
+"""By which a piece may be higher than its block: the rounding of files."""
 _TAB_SHARE = 0.9
 """Of the thickness asked for, from which nothing is said of a tab."""
 _LOOK_MM = 0.1
@@ -236,14 +238,14 @@ def _require_fit(
 ) -> None:
     high = np.max([solid.bounds_mm[1] for solid in solids], axis=0)
     low = np.min([solid.bounds_mm[0] for solid in solids], axis=0)
-    if high[2] > block_mm[2]:
+    if high[2] > block_mm[2] + HEIGHT_TOLERANCE_MM:
         raise DesignError(
             "The block is {there:g} mm high, and the piece needs {need:.1f} mm in it; take a "
             "higher block.",
             there=block_mm[2],
             need=float(high[2]),
         )
-    if min(low) < -1e-6 or (high > block_mm).any():
+    if min(low) < -1e-6 or (high[:2] - block_mm[:2] > 1e-6).any():
         raise DesignError("The piece does not lie within the block; take a larger block.")
     deepest = block_mm[2] - float(low[2])
     for cutter in (machine.roughing.cutter, machine.finishing.cutter, machine.contour.cutter):

@@ -31,7 +31,7 @@ CHECKS_OF: dict[Kind, tuple[CheckName, ...]] = {
     "block": ("watertight", "thickness", "cutter", "step", "block", "grid"),
     "positive": ("watertight", "undercut", "grid"),
 }
-_MARK_AT, _MARK_ROOM = 0.35, (30.0, 0.5)
+MARK_AT, MARK_ROOM = 0.35, (30.0, 0.5)
 """Under the heel, where every insole's bottom is wide and complete: shares of the length, mm. On a
 cupped shell it is the rearfoot post."""
 
@@ -223,11 +223,11 @@ def _marked(solid: TriangleMesh, insole: Insole, order: Order) -> TriangleMesh:
         return solid
     length = insole.foot.length_mm
     sign = -1.0 if order.kind == "positive" else 1.0
-    centre = (sign * float(insole.contact.x_mm.mean()), _MARK_AT * length)
-    room = (_MARK_ROOM[0], _MARK_ROOM[1] * length)
+    centre = (sign * float(insole.contact.x_mm.mean()), MARK_AT * length)
+    room = (MARK_ROOM[0], MARK_ROOM[1] * length)
     post_mm = _rearfoot_post_mm(insole) if order.kind == "insole" else 0.0
     if post_mm > 0:
-        centre, room = (centre[0], post_mm / 2), (_MARK_ROOM[0], post_mm - 2 * INSET_MM)
+        centre, room = (centre[0], post_mm / 2), (MARK_ROOM[0], post_mm - 2 * INSET_MM)
     return mark(solid, order.mark, centre_mm=centre, room_mm=room, relief=order.relief)
 
 

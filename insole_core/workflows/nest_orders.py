@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
@@ -11,11 +11,18 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from insole_core.errors import DesignError, InputError
-from insole_core.export.order_verification import ordered_content, read_order, side_in_name
-from insole_core.export.shop_order import ORDER_FILE, OrderItem
+from insole_core.export.order_verification import (
+    MOST_BYTES_OF_A_PAPER,
+    ordered_content,
+    read_order,
+    side_in_name,
+)
+from insole_core.export.sheet_terms import SheetTerms, terms_in
+from insole_core.export.shop_order import MOST_PAIRS, ORDER_FILE, OrderItem
 from insole_core.files.transaction import Transaction
 from insole_core.formats.dxf import DxfOutline, DxfText, write_dxf
 from insole_core.formats.file_formats import (
+    JOB_SHEET,
     NEST_SHEET,
     OUTLINES,
     PIN_HOLES,
@@ -25,6 +32,7 @@ from insole_core.formats.file_formats import (
 )
 from insole_core.formats.reading import read_raw
 from insole_core.formats.scan_content import ScanContent
+from insole_core.formats.slicer_3mf import is_for_slicer
 from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -32,14 +40,15 @@ from insole_core.geometry.packing import Packed, Turn, pack
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.given_file import read_given
-from insole_core.messages import Message, Translate
-from insole_core.milling.plan import FootInBlock, plan_milling
+from insole_core.messages import Message, Translate, joined
+from insole_core.milling.plan import HEIGHT_TOLERANCE_MM, FootInBlock, MillingPlan, plan_milling
 from insole_core.progress import SILENT, Progress
 from insole_core.regular_file import is_folder
 from insole_core.scans.cleaning import merged
 from insole_core.solids.checks import survey_heights
 from insole_core.solids.export_job import ExportPaths, standing
 from insole_core.solids.marking import mark
+from insole_core.solids.order import MARK_AT, MARK_ROOM
 from insole_core.solids.shop import Block
 from insole_core.solids.silhouette import block_outline, mark_text, silhouette
 from insole_core.workflows.mill import MillingChoice, program_paths, write_milling
@@ -51,15 +60,21 @@ if TYPE_CHECKING:
 GAP_MM: Final = 12.0
 """Between two pieces: twice the cutter of our machine files."""
 MARGIN_MM: Final = 4.0
+MOST_GAP_MM: Final = 100.0
+"""Between two pieces, and to the sides of the block."""
+MOST_SIDE_MM: Final = 3000.0
+"""Of the block."""
 _MOST_PIECES: Final = 500
 _MOST_BYTES: Final = 512 * 2**20
 _ALONG: Final[tuple[Turn, ...]] = (0, 180)
 _ACROSS: Final[tuple[Turn, ...]] = (90, 270)
 _PROGRAM: Final = "program "
-_OF_SLICERS: Final = ("Metadata/Slic3r_PE_model.config", "Metadata/model_settings.config")
-_MARK_AT, _MARK_ROOM_MM, _MARK_SHARE = 0.35, 30.0, 0.5
-"""Under the heel, as the marks of an order."""
+_PLACES_OF_MARKS: Final = ((MARK_AT, MARK_ROOM[1]), (0.74, 0.25))
+"""Middle and length as shares of the piece: under the heel, as the marks of orders; under the ball,
+where one is there already."""
 _BOTTOM_MM: Final = 0.05
+_RELIEF_MM, _LETTERS_MM = 1.0, 10.0
+"""Above the bottom, and to the sides of its middle line: within them lies part of each mark."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,22 +83,24 @@ class OrderedPiece:
 
     Parameters
     ----------
-    label
+    order
         By which the order is known to the shop: its number, and the pseudonym; never a name.
     solid : mm
         Standing on z = 0, toes towards +y.
+    quantity
+        None where its files do not say it; it then lies on the block once.
     """
 
-    label: str
+    order: str
     side: Side
     solid: TriangleMesh
     material: str = ""
-    quantity: int = 1
+    quantity: int | None = 1
 
     @property
     def name(self) -> str:
         """Order and side."""
-        return f"{self.label} {self.side}"
+        return f"{self.order} {self.side}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,6 +132,30 @@ class DayNest:
         return width, length, height
 
 
+@dataclass(frozen=True)
+class WrittenNest:
+    """The files of a nest, and what there is to say of it and of its program."""
+
+    paths: tuple[Path, ...]
+    notes: tuple[Message, ...]
+
+
+def gathered(orders: Iterable[Iterable[OrderedPiece]]) -> list[OrderedPiece]:
+    """Return the pieces of all orders, which are read no further than a nest can take them.
+
+    Raises
+    ------
+    InputError
+        When there are too many; also what reading the orders raises.
+    """
+    pieces: list[OrderedPiece] = []
+    for order in orders:
+        for piece in order:
+            pieces.append(piece)
+            _check_number(pieces)
+    return pieces
+
+
 def pieces_of_order(path: Path) -> Iterator[OrderedPiece]:
     """Yield the pieces of an order: a folder, or a zip archive, with its `order.json`.
 
@@ -131,6 +172,8 @@ def pieces_of_order(path: Path) -> Iterator[OrderedPiece]:
 def pieces_of_files(files: Sequence[Path], number: str) -> Iterator[OrderedPiece]:
     """Yield the pieces of an order that was written as single files, or of an archive among them.
 
+    Of single files the job sheets say quantity and material.
+
     Raises
     ------
     InputError
@@ -144,44 +187,60 @@ def pieces_of_files(files: Sequence[Path], number: str) -> Iterator[OrderedPiece
             yield from pieces_of_order(path)
         elif role_of(path.name) == "solid":
             found = True
-            solid = _solid(path, read_given(path, _MOST_BYTES))
-            yield OrderedPiece(number, _side_of(path.name), solid)
+            yield _piece_of_file(path, _terms_beside(path, files), number)
     if not found:
         raise InputError(
             "Order {number} was written without solids; export it again.", number=number
         )
 
 
+def _piece_of_file(path: Path, terms: SheetTerms, number: str) -> OrderedPiece:
+    side = _only_side(path.name, (side_in_name(path.name),))
+    solid = _solid(path, read_given(path, _MOST_BYTES))
+    material = str(terms.get(f"material, {side}", ""))
+    return OrderedPiece(number, side, solid, material, _quantity_in(terms))
+
+
+def _terms_beside(path: Path, files: Sequence[Path]) -> SheetTerms:
+    """Return the terms on the job sheet of a single file; empty where there is none."""
+    sheet = path.with_name(path.stem + JOB_SHEET.ending)
+    if sheet not in files:
+        return {}
+    return terms_in(read_given(sheet, MOST_BYTES_OF_A_PAPER)) or {}
+
+
+def _quantity_in(terms: SheetTerms) -> int | None:
+    said = str(terms.get("quantity", ""))
+    return int(said) if said.isdecimal() and 1 <= int(said) <= MOST_PAIRS else None
+
+
 def _pieces_of_item(path: Path, item: OrderItem, number: str) -> Iterator[OrderedPiece]:
-    label = number if item.pseudonym == number else f"{number} {item.pseudonym}"
+    order = number if item.pseudonym == number else f"{number} {item.pseudonym}"
     for file in item.files:
         if file.role == "solid":
-            side = _side_of(file.name)
+            side = _only_side(file.name, file.sides)
             solid = _solid(Path(file.name), ordered_content(path, file))
-            yield OrderedPiece(label, side, solid, item.materials[side], item.terms.quantity)
+            yield OrderedPiece(order, side, solid, item.materials[side], item.terms.quantity)
 
 
-def _side_of(name: str) -> Side:
-    side = side_in_name(name)
-    if side is None:
+def _only_side(name: str, sides: Sequence[Side | None]) -> Side:
+    if len(sides) != 1 or sides[0] is None:
         raise InputError(
             "{file} holds both sides, which lie in their own block; export the order without a "
             "block to nest it with others.",
             file=name,
         )
-    return side
+    return sides[0]
 
 
 def _solid(path: Path, content: bytes) -> TriangleMesh:
     suffix = path.suffix.lower()
-    if suffix == ".3mf":
-        names = ZipArchive(path.name, content).names
-        if any(name in names for name in _OF_SLICERS):
-            raise InputError(
-                "{file} has settings and zones for a slicer, which a nest cannot keep; export the "
-                "order for any machine to nest it.",
-                file=path.name,
-            )
+    if suffix == ".3mf" and is_for_slicer(ZipArchive(path.name, content)):
+        raise InputError(
+            "{file} has settings and zones for a slicer, which a nest cannot keep; export the "
+            "order for any machine to nest it.",
+            file=path.name,
+        )
     raw = read_raw(ScanContent(path, suffix, content, lambda _name, _most: None))
     solid = merged(TriangleMesh(raw.vertices, raw.triangles))
     return solid.transformed(standing(solid))
@@ -210,18 +269,22 @@ def nest_pieces(
 
     Raises
     ------
+    InputError
+        When there is no piece, or there are too many, or gap, margin or block are out of range.
     DesignError
         When a piece is not closed or too high, or not all find room.
     Cancelled
     """
-    every = [piece for piece in pieces for _ in range(piece.quantity)]
-    _check_number(every)
-    _check_heights(every, block)
-    notes = [*_material_notes(every)]
+    _check_sizes(block, gap_mm, margin_mm)
+    _check_number(pieces)
+    _check_heights(pieces, block)
+    notes = [*_quantity_notes(pieces), *_material_notes(pieces)]
     if marked:
-        every, failed = _marked(every, progress.part(0.0, 0.3))
+        pieces, failed = _marked(pieces, progress.part(0.0, 0.3))
         notes += failed
-    outlines = [max(silhouette(piece.solid), key=_extent) for piece in every]
+    lying = [(piece, _outline(piece)) for piece in pieces]
+    every = [each for each in lying for _ in range(each[0].quantity or 1)]
+    outlines = [outline for _, outline in every]
     length, width, _ = block.sides_mm
     ways = (_ALONG, _ACROSS, _ALONG + _ACROSS) if across else (_ALONG,)
     steps = progress.part(0.3, 1.0).parts(len(ways))
@@ -236,27 +299,46 @@ def nest_pieces(
     _require_all(best, block)
     nested = tuple(
         NestedPiece(piece, packed, _piece2block(packed))
-        for piece, packed in zip(every, best, strict=True)
+        for (piece, _), packed in zip(every, best, strict=True)
         if packed is not None
     )
     return DayNest(block, nested, tuple(notes))
 
 
-def _check_number(every: Sequence[OrderedPiece]) -> None:
-    if not every:
+def _check_sizes(block: Block, gap_mm: float, margin_mm: float) -> None:
+    if not (0 <= gap_mm <= MOST_GAP_MM and 0 <= margin_mm <= MOST_GAP_MM):
+        raise InputError(
+            "The pieces are to lie {gap:g} mm apart and {margin:g} mm from the sides, and both "
+            "must be 0 to {most:g} mm; correct them.",
+            gap=gap_mm,
+            margin=margin_mm,
+            most=MOST_GAP_MM,
+        )
+    if not max(block.sides_mm) <= MOST_SIDE_MM:
+        raise InputError(
+            "A side of {block} is longer than the {most:g} mm that a nest takes; take a smaller "
+            "block.",
+            block=block.words,
+            most=MOST_SIDE_MM,
+        )
+
+
+def _check_number(pieces: Sequence[OrderedPiece]) -> None:
+    if not pieces:
         raise InputError("There is nothing to nest; name at least one order.")
-    if len(every) > _MOST_PIECES:
+    count = sum(piece.quantity or 1 for piece in pieces)
+    if count > _MOST_PIECES:
         raise InputError(
             "The orders have {count} pieces, and a nest takes at most {most}; nest fewer orders.",
-            count=len(every),
+            count=count,
             most=_MOST_PIECES,
         )
 
 
-def _check_heights(every: Sequence[OrderedPiece], block: Block) -> None:
-    highest = max(every, key=lambda piece: float(np.ptp(piece.solid.vertices[:, 2])))
+def _check_heights(pieces: Sequence[OrderedPiece], block: Block) -> None:
+    highest = max(pieces, key=lambda piece: float(np.ptp(piece.solid.vertices[:, 2])))
     need = float(np.ptp(highest.solid.vertices[:, 2]))
-    if need > block.sides_mm[2] + _BOTTOM_MM:
+    if need > block.sides_mm[2] + HEIGHT_TOLERANCE_MM:
         raise DesignError(
             "{piece} is {need:.1f} mm high, and the block has {there:g} mm; take a higher block.",
             piece=highest.name,
@@ -265,13 +347,38 @@ def _check_heights(every: Sequence[OrderedPiece], block: Block) -> None:
         )
 
 
-def _material_notes(every: Sequence[OrderedPiece]) -> Iterator[Message]:
-    materials = dict.fromkeys(piece.material for piece in every if piece.material)
+def _quantity_notes(pieces: Sequence[OrderedPiece]) -> Iterator[Message]:
+    for piece in pieces:
+        if piece.quantity is None:
+            yield Message(
+                "{piece} was written without its quantity, and lies here once; compare it with "
+                "the order.",
+                piece=piece.name,
+            )
+
+
+def _material_notes(pieces: Sequence[OrderedPiece]) -> Iterator[Message]:
+    materials = dict.fromkeys(piece.material for piece in pieces if piece.material)
     if len(materials) > 1:
         yield Message(
             "The orders ask for {materials}, and a block is of one material; nest them apart.",
-            materials=", ".join(materials),
+            materials=joined(materials),
         )
+
+
+def _outline(piece: OrderedPiece) -> FloatArray:
+    """Return the outer outline (n, 2) of a piece from above, mm."""
+    try:
+        outlines = silhouette(piece.solid)
+    except DesignError:
+        outlines = ()
+    if not outlines:
+        raise DesignError(
+            "{piece} is no closed solid: it is open, crosses itself, or is made of layers; export "
+            "the order again in one piece.",
+            piece=piece.name,
+        )
+    return max(outlines, key=_extent)
 
 
 def _extent(outline: FloatArray) -> float:
@@ -306,34 +413,47 @@ def _piece2block(packed: Packed) -> FloatArray:
 
 
 def _marked(
-    every: Sequence[OrderedPiece], progress: Progress
+    pieces: Sequence[OrderedPiece], progress: Progress
 ) -> tuple[list[OrderedPiece], list[Message]]:
     """Engrave order and side into the undersides; say where that is impossible."""
-    pieces, notes = [], []
-    for piece, step in zip(every, progress.parts(len(every)), strict=True):
+    marked, notes = [], []
+    for piece, step in zip(pieces, progress.parts(len(pieces)), strict=True):
         step.step(0.0, "Writing the identification")
         try:
-            pieces.append(replace(piece, solid=_engraved(piece)))
+            marked.append(replace(piece, solid=_engraved(piece)))
         except DesignError as error:
-            pieces.append(piece)
+            marked.append(piece)
             notes.append(
                 Message("{piece} carries no mark: {reason}", piece=piece.name, reason=str(error))
             )
-    return pieces, list(dict.fromkeys(notes))
+    return marked, notes
 
 
 def _engraved(piece: OrderedPiece) -> TriangleMesh:
-    low, high = piece.solid.bounds_mm
+    for share, room in _PLACES_OF_MARKS:
+        middle = _plain_place(piece.solid, share, room)
+        if middle is not None:
+            length = float(np.ptp(piece.solid.vertices[:, 1]))
+            return mark(
+                piece.solid, (piece.order, str(piece.side)),
+                centre_mm=middle, room_mm=(MARK_ROOM[0], room * length),
+            )  # fmt: skip
+    raise DesignError("The underside has other lettering already, or is not flat.")
+
+
+def _plain_place(solid: TriangleMesh, share: float, room: float) -> tuple[float, float] | None:
+    """Return the middle of a place for a mark, mm; None where the underside is not plain there."""
+    low, high = solid.bounds_mm
     length = float(high[1] - low[1])
-    at = float(low[1]) + _MARK_AT * length
-    under = piece.solid.vertices[piece.solid.vertices[:, 2] < low[2] + _BOTTOM_MM]
-    near = under[np.abs(under[:, 1] - at) < _MARK_SHARE / 2 * length]
-    across = near[:, 0] if len(near) else np.array([low[0], high[0]])
+    at = float(low[1]) + share * length
+    near = solid.vertices[np.abs(solid.vertices[:, 1] - at) < room / 2 * length]
+    above = near[:, 2] - low[2]
+    under = near[above < _BOTTOM_MM]
+    across = under[:, 0] if len(under) else np.array([low[0], high[0]])
     middle = float(across.min() + across.max()) / 2
-    return mark(
-        piece.solid, (piece.label, str(piece.side)),
-        centre_mm=(middle, at), room_mm=(_MARK_ROOM_MM, _MARK_SHARE * length),
-    )  # fmt: skip
+    is_relief = (above >= _BOTTOM_MM) & (above < _RELIEF_MM)
+    is_relief &= np.abs(near[:, 0] - middle) < _LETTERS_MM
+    return None if is_relief.any() else (middle, at)
 
 
 def places_of_nest(out: Path, milling: MillingChoice | None) -> dict[str, Path]:
@@ -361,7 +481,7 @@ def write_nest(
     milling: MillingChoice | None = None,
     translate: Translate = str,
     progress: Progress = SILENT,
-) -> tuple[Path, ...]:
+) -> WrittenNest:
     """Write solids, outlines and sheet of a nest, and the program of a router: all or nothing.
 
     Parameters
@@ -388,6 +508,9 @@ def write_nest(
     from insole_core.export.paper import write_nest_sheet
 
     places = places_of_nest(out, milling)
+    plan = None if milling is None else _plan(nest, milling, progress.part(0.0, 0.6))
+    notes = nest.notes if plan is None else (*nest.notes, *plan.notes)
+    progress = progress if plan is None else progress.part(0.6, 1.0)
     with Transaction() as transaction:
         beside = {what: transaction.file(path) for what, path in places.items()}
         progress.step(0.0, "Writing the file")
@@ -400,14 +523,15 @@ def write_nest(
         progress.step(0.2, "Writing the nest sheet")
         write_nest_sheet(
             _nesting(nest, translate), _facts(nest, title, places, translate), beside["sheet"],
-            notes=[translate(note) for note in nest.notes], translate=translate,
+            notes=[translate(note) for note in notes], translate=translate,
         )  # fmt: skip
-        if milling is not None:
-            _mill(
-                nest, milling, places, beside,
-                title=title, translate=translate, progress=progress.part(0.3, 1.0),
+        if plan is not None:
+            write_milling(
+                plan, nest.block, _export_paths(places), _export_paths(beside),
+                identification={"pseudonym": title, "date": date.today().isoformat()},
+                translate=translate, progress=progress.part(0.3, 1.0),
             )  # fmt: skip
-    return tuple(places.values())
+    return WrittenNest(tuple(places.values()), notes)
 
 
 def _write_outlines(nest: DayNest, path: Path) -> None:
@@ -426,7 +550,7 @@ def _facts(
     nest: DayNest, title: str, places: Mapping[str, Path], translate: Translate
 ) -> dict[str, str]:
     programs = (what for what in places if what.startswith(_PROGRAM))
-    shown = ("solid", "outlines", *programs, "setup_sheet")
+    shown = ("solid", "outlines", "pin_holes", *programs, "setup_sheet")
     return {
         "nest": title,
         "date": date.today().isoformat(),
@@ -446,7 +570,7 @@ def _nesting(nest: DayNest, translate: Translate) -> Nesting:
             Message(
                 "{number}: {mark}, {side}",
                 number=number,
-                mark=piece.label,
+                mark=piece.order,
                 side=Message(str(piece.side)),
             )
         )
@@ -463,29 +587,15 @@ def _nesting(nest: DayNest, translate: Translate) -> Nesting:
     return Nesting(nest.block.words, nest.block_mm, tuple(parts))
 
 
-def _mill(
-    nest: DayNest,
-    milling: MillingChoice,
-    places: Mapping[str, Path],
-    beside: Mapping[str, Path],
-    *,
-    title: str,
-    translate: Translate,
-    progress: Progress,
-) -> None:
-    plan = plan_milling(
+def _plan(nest: DayNest, milling: MillingChoice, progress: Progress) -> MillingPlan:
+    return plan_milling(
         [each.solid for each in nest.pieces], nest.block_mm, milling.machine,
         both_sides=milling.both_sides,
         feet=[
-            FootInBlock(each.piece.side, each.packed.turn_deg == 180, each.piece.label)
+            FootInBlock(each.piece.side, each.packed.turn_deg == 180, each.piece.order)
             for each in nest.pieces
         ],
-        progress=progress.part(0.0, 0.8),
-    )  # fmt: skip
-    write_milling(
-        plan, nest.block, _export_paths(places), _export_paths(beside),
-        identification={"pseudonym": title, "date": date.today().isoformat()},
-        translate=translate, progress=progress.part(0.8, 1.0),
+        progress=progress,
     )  # fmt: skip
 
 

@@ -119,7 +119,8 @@ def write_setup_sheet(
         for key, facts in sections.items()
     }
     steps = [translate(step) for step in _steps(plan, files, pin_holes)]
-    sheet = SetupSheet(worded, steps, _picture(plan, translate))
+    notes = [translate(note) for note in plan.notes]
+    sheet = SetupSheet(worded, steps, _picture(plan, translate), notes)
     write_setup_paper(sheet, path, translate)
 
 

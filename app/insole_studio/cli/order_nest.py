@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -72,26 +73,29 @@ def _run(arguments: argparse.Namespace, progress: Progress) -> None:
     milling = _milling(arguments)
     block = _block(arguments)
     check_overwriting(nest_orders.places_of_nest(arguments.out, milling).values(), arguments.orders)
-    pieces: list[OrderedPiece] = []
-    for path, step in zip(
-        arguments.orders, progress.part(0.0, 0.2).parts(len(arguments.orders)), strict=True
-    ):
-        step.step(0.0, f"Reading {path.name}")
-        pieces += nest_orders.pieces_of_order(path)
+    pieces = nest_orders.gathered(_read(arguments.orders, progress.part(0.0, 0.2)))
     nest = nest_orders.nest_pieces(
         pieces, block,
         gap_mm=arguments.gap, margin_mm=arguments.margin,
         across=milling is None, marked=arguments.mark, progress=progress.part(0.2, 0.6),
     )  # fmt: skip
-    for note in nest.notes:
-        print(visible_line(f"Warning: {note}"), file=sys.stderr)
     written = nest_orders.write_nest(
         nest, arguments.out,
         title=arguments.title or arguments.out.stem, milling=milling,
         translate=wording_of(arguments).translate, progress=progress.part(0.6, 1.0),
     )  # fmt: skip
-    names = ", ".join(path.name for path in written)
+    for note in written.notes:
+        print(visible_line(f"Warning: {note}"), file=sys.stderr)
+    names = ", ".join(path.name for path in written.paths)
     progress.step(1.0, f"Done: {len(nest.pieces)} pieces on {block.words}: {names}")
+
+
+def _read(paths: Sequence[Path], progress: Progress) -> Iterator[Iterator[OrderedPiece]]:
+    from insole_core.workflows.nest_orders import pieces_of_order
+
+    for path, step in zip(paths, progress.parts(len(paths)), strict=True):
+        step.step(0.0, f"Reading {path.name}")
+        yield pieces_of_order(path)
 
 
 def _milling(arguments: argparse.Namespace) -> MillingChoice | None:

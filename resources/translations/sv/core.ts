@@ -240,6 +240,10 @@
             <translation>En sko är {least:g} till {most:g} mm bred invändigt vid trampdynan, och inte {width:g} mm; ange bredden i millimeter.</translation>
         </message>
         <message>
+            <source>A side of {block} is longer than the {most:g} mm that a nest takes; take a smaller block.</source>
+            <translation>En sida av {block} är längre än de {most:g} mm som en samläggning tar; ta ett mindre block.</translation>
+        </message>
+        <message>
             <source>A skive of {depth_mm:g} mm with {angle:g}° of inversion needs a heel cup of {needed_mm:g} mm, and the cup is {cup_mm:g} mm deep.</source>
             <translation>En hälskivning på {depth_mm:g} mm med {angle:g}° inversion kräver en hälskål på {needed_mm:g} mm, och skålen är {cup_mm:g} mm djup.</translation>
         </message>
@@ -3484,8 +3488,12 @@
             <translation>Stycket ligger inte inom blocket; ta ett större block.</translation>
         </message>
         <message>
-            <source>The pieces carry the serial number of revision {made}, and the order becomes revision {revision}; write it to another place, or without serial numbers on the pieces.</source>
-            <translation>Styckena bär serienumret för revision {made}, och beställningen blir revision {revision}; skriv den på en annan plats, eller utan serienummer på styckena.</translation>
+            <source>The pieces are to lie {gap:g} mm apart and {margin:g} mm from the sides, and both must be 0 to {most:g} mm; correct them.</source>
+            <translation>Styckena ska ligga {gap:g} mm från varandra och {margin:g} mm från sidorna, och båda måste vara 0 till {most:g} mm; rätta dem.</translation>
+        </message>
+        <message>
+            <source>The pieces carry the serial number {made}, and it is {ordered} in the order; write it to another place, or without serial numbers on the pieces.</source>
+            <translation>Styckena bär serienumret {made}, och i beställningen är det {ordered}; skriv den på en annan plats, eller utan serienummer på styckena.</translation>
         </message>
         <message>
             <source>The place of the depth camera is known within {known_mm:.1f} mm only; for {good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).</source>
@@ -3854,6 +3862,10 @@
         <message>
             <source>The two surfaces lie over each other on {area_mm2:.0f} mm² only, which is too little to compare; let them be fitted, or pick points on both.</source>
             <translation>De två ytorna ligger över varandra på bara {area_mm2:.0f} mm², vilket är för lite för att jämföra; låt dem passas, eller välj punkter på båda.</translation>
+        </message>
+        <message>
+            <source>The underside has other lettering already, or is not flat.</source>
+            <translation>Undersidan har redan annan text, eller är inte plan.</translation>
         </message>
         <message>
             <source>The user {user} of the system has the account {account} already; choose one of both.</source>
@@ -4294,6 +4306,10 @@
         <message>
             <source>To the toes, or to behind the metatarsal heads</source>
             <translation>Till tårna, eller till bakom metatarsalhuvudena</translation>
+        </message>
+        <message>
+            <source>To watch</source>
+            <translation>Att ge akt på</translation>
         </message>
         <message>
             <source>Toe line</source>
@@ -9312,8 +9328,16 @@
             <translation>{piece} är omärkt: {reason}</translation>
         </message>
         <message>
+            <source>{piece} is no closed solid: it is open, crosses itself, or is made of layers; export the order again in one piece.</source>
+            <translation>{piece} är ingen sluten kropp: den är öppen, skär sig själv eller består av lager; exportera beställningen igen i ett stycke.</translation>
+        </message>
+        <message>
             <source>{piece} is {need:.1f} mm high, and the block has {there:g} mm; take a higher block.</source>
             <translation>{piece} är {need:.1f} mm högt, och blocket har {there:g} mm; ta ett högre block.</translation>
+        </message>
+        <message>
+            <source>{piece} was written without its quantity, and lies here once; compare it with the order.</source>
+            <translation>{piece} skrevs utan sitt antal och ligger här en gång; jämför med beställningen.</translation>
         </message>
         <message>
             <source>{placed} of {count} pieces find room on {block}; take a larger block, or nest fewer orders.</source>

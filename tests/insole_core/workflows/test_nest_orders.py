@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from itertools import combinations
 from pathlib import Path
@@ -15,10 +16,30 @@ from read_pdf import bytes_of_pdf, text_of_pdf
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import DesignError, InputError
-from insole_core.export.shop_order import OrderTerms
+from insole_core.export.paper import paragraph, write_pages
+from insole_core.export.sheet_terms import as_keyword, sheet_terms
+from insole_core.export.shop_order import (
+    ORDER_FILE,
+    OrderedFile,
+    OrderItem,
+    OrderTerms,
+    Release,
+    ShopOrder,
+    write_shop_order,
+)
 from insole_core.foot.foot import Foot
+from insole_core.formats.slicer_3mf import (
+    PRINTERS,
+    Infill,
+    Modifier,
+    PrintedPart,
+    Printer,
+    write_slicer_3mf,
+)
+from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.milling.machine import read_machine
 from insole_core.resources import resource_path
@@ -39,6 +60,7 @@ from insole_core.workflows.nest_orders import (
     write_nest,
 )
 from insole_core.workflows.order_package import PackedItem, write_package
+from insole_studio.texts import translation_into
 
 NAMES = ("Ottilia Bergqvist", "Kurt Sandelin")
 SHEET = Block("sheet", (600.0, 700.0, 40.0))
@@ -69,6 +91,10 @@ def orders(
         )  # fmt: skip
         written.append(folder / place)
     return written
+
+
+def box(width_mm: float = 80.0, length_mm: float = 240.0) -> TriangleMesh:
+    return from_manifold(manifold3d.Manifold.cube([width_mm, length_mm, 12.0]))
 
 
 def nested(orders: list[Path], **how: object) -> DayNest:
@@ -106,10 +132,12 @@ def test_left_stays_left(nest: DayNest) -> None:
         tip = vertices[vertices[:, 1].argmax(), 0] - each.piece.solid.bounds_mm[:, 0].mean()
         assert np.sign(tip) == each.piece.side.medial_sign
     assert nest.notes == (), "all carry their mark"
+    pieces = {id(each.piece) for each in nest.pieces}
+    assert len(pieces) == 4, "what is ordered twice is marked once"
 
 
 def test_nobody_is_named_and_every_outline_is_marked(nest: DayNest, tmp_path: Path) -> None:
-    written = write_nest(nest, tmp_path / "friday.stl", title="friday")
+    written = write_nest(nest, tmp_path / "friday.stl", title="friday").paths
     assert [path.name for path in written] == ["friday.stl", "friday.dxf", "friday-pieces.pdf"]
     for path in written:
         content = bytes_of_pdf(path) if path.suffix == ".pdf" else path.read_bytes()
@@ -146,6 +174,92 @@ def test_files_of_an_order_are_taken_by_their_side(orders: list[Path], tmp_path:
         list(pieces_of_files([], "26-9"))
 
 
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_zones_for_a_slicer_are_taken_for_no_piece(printer: Printer, tmp_path: Path) -> None:
+    zone = Modifier(box(), "heel 15 %", Infill(15.0))
+    part = PrintedPart(box(), "left insole", 3, 4, 4, Infill(30.0), (zone,))
+    path = tmp_path / "o-left.3mf"
+    write_slicer_3mf([part], path, printer)
+    with pytest.raises(InputError, match="settings and zones for a slicer"):
+        list(pieces_of_files([path], "26-9"))
+
+
+@pytest.mark.parametrize("name", ["left heel-right.stl", "left.stl"])
+def test_the_side_is_the_one_that_the_order_says(name: str, tmp_path: Path) -> None:
+    """The pseudonym of the patient is part of the name, and may hold the word of the other side."""
+    write_solids([SolidPart(box(), "insole")], tmp_path / name)
+    digest, size = sha256_of(tmp_path / name), (tmp_path / name).stat().st_size
+    file = OrderedFile(name, "solid", (Side.RIGHT,), digest, size)
+    item = OrderItem("left heel", "insole", {Side.RIGHT: "EVA"}, OrderTerms(), (file,))
+    order = ShopOrder(Release("26-5"), "2026-11-20T12:00:00+00:00", "Insole Studio", (item,))
+    write_shop_order(order, tmp_path / ORDER_FILE)
+    (piece,) = pieces_of_order(tmp_path)
+    assert (piece.name, piece.material) == ("26-5 left heel right", "EVA")
+
+
+def test_single_files_lie_on_the_block_as_often_as_their_sheet_says(tmp_path: Path) -> None:
+    for name in ("o-left.stl", "o-right.stl"):
+        write_solids([SolidPart(box(), "insole")], tmp_path / name)
+    terms = sheet_terms(Release("26-9"), "P", {Side.LEFT: "EVA"}, OrderTerms(quantity=3))
+    write_pages(
+        [paragraph("Job sheet")], tmp_path / "o-left-job-sheet.pdf", "P", keyword=as_keyword(terms)
+    )
+    left, right = pieces_of_files(sorted(tmp_path.iterdir()), "26-9")
+    assert (left.quantity, left.material) == (3, "EVA")
+    nest = nest_pieces([left, right], SHEET)
+    assert [each.piece.side for each in nest.pieces].count(Side.LEFT) == 3
+    (note,) = nest.notes
+    assert note.startswith("26-9 right was written without its quantity, and lies here once")
+
+
+@pytest.mark.parametrize(
+    ("how", "sentence"),
+    [
+        ({"gap_mm": 1e6}, "must be 0 to 100 mm"),
+        ({"margin_mm": -20.0}, "must be 0 to 100 mm"),
+        ({"gap_mm": float("nan")}, "must be 0 to 100 mm"),
+        ({"block": Block("sheet", (9_999_999.0, 600.0, 30.0))}, "longer than the 3000 mm"),
+    ],
+)
+def test_sizes_beyond_reason_are_refused(how: dict[str, object], sentence: str) -> None:
+    given = {"block": SHEET} | how
+    with pytest.raises(InputError, match=sentence):
+        nest_pieces([OrderedPiece("26-1", Side.LEFT, box())], **given)  # type: ignore[arg-type]
+
+
+def test_a_piece_that_is_not_closed_is_named() -> None:
+    whole = box()
+    torn = OrderedPiece("26-1", Side.LEFT, TriangleMesh(whole.vertices, whole.triangles[1:]))
+    with pytest.raises(DesignError, match="26-1 left is no closed solid"):
+        nest_pieces([OrderedPiece("26-2", Side.LEFT, whole), torn], SHEET)
+
+
+def test_a_mark_is_never_written_over_another_one() -> None:
+    """The second stands under the ball, and a third one finds no place."""
+    piece, letters = OrderedPiece("26-1", Side.LEFT, box()), []
+    for _ in range(2):
+        nest = nest_pieces([piece], SHEET, marked=True)
+        assert nest.notes == ()
+        (piece,) = (each.piece for each in nest.pieces)
+        vertices = piece.solid.vertices
+        letters.append(vertices[(vertices[:, 2] > 0.5) & (vertices[:, 2] < 0.7), 1])
+    heel = letters[0].max()
+    assert heel < 0.61 * 240
+    assert letters[1].max() > heel + 10
+    assert np.sort(letters[1][letters[1] <= heel]) == pytest.approx(np.sort(letters[0]))
+    (note,) = nest_pieces([piece], SHEET, marked=True).notes
+    assert note.startswith("26-1 left carries no mark: The underside has other lettering")
+
+
+def test_materials_are_told_in_the_language_of_the_papers() -> None:
+    pieces = [
+        OrderedPiece("26-1", Side.LEFT, box(), "Cork and EVA"),
+        OrderedPiece("26-2", Side.LEFT, box(), "polypropylene"),
+    ]
+    (note,) = nest_pieces(pieces, SHEET).notes
+    assert "Kork och EVA, polypropen" in translation_into("sv")(note)
+
+
 def test_a_file_that_was_changed_is_refused(orders: list[Path], tmp_path: Path) -> None:
     folder = tmp_path / "changed"
     folder.mkdir()
@@ -164,8 +278,13 @@ def test_a_router_gets_the_same_programs_for_all_pieces(tmp_path: Path) -> None:
     solid = from_manifold(manifold3d.CrossSection([corners]).extrude(9.0))
     pieces = [OrderedPiece(f"26-{n}", side, solid) for n in (1, 2) for side in Side]
     machine = read_machine(resource_path("milling/grbl.json"))
-    nest = nest_pieces(pieces, Block("board", (220.0, 160.0, 12.0)), across=False)
-    write_nest(nest, tmp_path / "n.stl", title="n", milling=MillingChoice(machine))
+    machine = replace(machine, contour=replace(machine.contour, tab_height_mm=20.0))
+    nest = nest_pieces(pieces, Block("board", (220.0, 160.0, 8.97)), across=False)
+    written = write_nest(nest, tmp_path / "n.stl", title="n", milling=MillingChoice(machine))
+    (note,) = written.notes
+    assert "tabs stay thinner than the 20 mm" in note
+    for paper in ("n-setup-sheet.pdf", "n-pieces.pdf"):
+        assert note in " ".join(text_of_pdf(tmp_path / paper).split())
     programs = sorted(tmp_path.glob("*.nc"))
     assert [path.name for path in programs] == ["n-1.nc", "n-2.nc", "n-3.nc"]
     assert all(path.read_text().startswith("(n)") for path in programs)

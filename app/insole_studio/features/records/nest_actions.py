@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from insole_core.cases.case_record import Patient
 from insole_core.errors import InsoleError
 from insole_core.files.atomic import make_private_folder
 from insole_core.files.write_errors import output_errors
@@ -24,7 +25,7 @@ from insole_studio.texts import tr, translate_core_message
 # What computes is imported when somebody nests: the window starts faster without it.
 if TYPE_CHECKING:
     from insole_core.records.records import Records
-    from insole_core.workflows.nest_orders import DayNest
+    from insole_core.workflows.nest_orders import WrittenNest
     from insole_studio.features.records.nest_dialog import NestChoice, NestDialog
 
 NESTING = "nest-orders"
@@ -68,6 +69,7 @@ class NestActions(QObject):
 
     def _ask_place(self, choice: NestChoice, orders: Sequence[OrderSummary]) -> None:
         """Ask where the nest is written, then read the files of its orders."""
+        from insole_core.workflows.nameless import require_nameless
         from insole_core.workflows.nest_orders import places_of_nest
 
         formats = sorted(SOLID_FORMATS, key=lambda form: form.ending != _FORMAT)
@@ -75,6 +77,13 @@ class NestActions(QObject):
         questions = self._services.messages.questions
         out = questions.name_to_write(tr("nest") + _FORMAT, kinds, Kept.EXPORTS)
         if out is None:
+            return
+        names = [order.person_name for order in orders if order.id in choice.orders]
+        try:
+            for name in names:
+                require_nameless(Patient(name), {"file name": out.stem})
+        except InsoleError as error:
+            self._tell(error)
             return
         there = [p for p in places_of_nest(out, choice.milling).values() if p.exists()]
         if there and not questions.may_replace(there):
@@ -102,36 +111,39 @@ class NestActions(QObject):
     def _nest(
         self, choice: NestChoice, files: dict[str, tuple[Path, ...]], folder: Path, out: Path
     ) -> None:
-        from insole_core.workflows.nest_orders import nest_pieces, pieces_of_files, write_nest
+        from insole_core.workflows.nest_orders import (
+            gathered,
+            nest_pieces,
+            pieces_of_files,
+            write_nest,
+        )
 
-        def task(progress: Progress) -> DayNest:
+        def task(progress: Progress) -> tuple[int, WrittenNest]:
             try:
-                pieces = [
-                    piece
-                    for number, copies in files.items()
-                    for piece in pieces_of_files(copies, number)
-                ]
+                pieces = gathered(
+                    pieces_of_files(copies, number) for number, copies in files.items()
+                )
                 nest = nest_pieces(
                     pieces, choice.block,
                     gap_mm=choice.gap_mm, margin_mm=choice.margin_mm,
                     across=choice.milling is None, marked=choice.marked,
                     progress=progress.part(0.0, 0.6),
                 )  # fmt: skip
-                write_nest(
+                written = write_nest(
                     nest, out,
                     title=out.stem, milling=choice.milling, translate=translate_core_message,
                     progress=progress.part(0.6, 1.0),
                 )  # fmt: skip
             finally:
                 shutil.rmtree(folder, ignore_errors=True)
-            return nest
+            return len(nest.pieces), written
 
-        self._services.run(NESTING, task, lambda nest: self._say(nest, out))
+        self._services.run(NESTING, task, lambda done: self._say(*done, out))
 
-    def _say(self, nest: DayNest, out: Path) -> None:
+    def _say(self, count: int, written: WrittenNest, out: Path) -> None:
         sentence = tr("{count} pieces are nested in {name}.")
-        told = sentence.format(count=len(nest.pieces), name=out.name)
-        notes = (translate_core_message(note) for note in nest.notes)
+        told = sentence.format(count=count, name=out.name)
+        notes = (translate_core_message(note) for note in written.notes)
         self._services.notices.put(
             NESTING, " ".join((told, *notes)),
             (tr("Open the folder"), lambda: open_file(out.parent)),

@@ -22,7 +22,7 @@ from insole_core.milling.machine import Machine
 from insole_core.records.order import OrderState, OrderSummary
 from insole_core.solids.shop import Block
 from insole_core.workflows.mill import MillingChoice
-from insole_core.workflows.nest_orders import GAP_MM, MARGIN_MM
+from insole_core.workflows.nest_orders import GAP_MM, MARGIN_MM, MOST_GAP_MM, MOST_SIDE_MM
 from insole_studio.features.records.rows import name_of, state_text
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_parts import ComboBox, mark_labels
@@ -32,7 +32,6 @@ from insole_studio.widgets.number_field import NumberField
 _NOT_MADE_YET = (OrderState.DESIGNED, OrderState.CHECKED, OrderState.SENT)
 _SIZE_PX = (560, 620)
 _SHEET_MM = (1000.0, 600.0, 40.0)
-_MOST_MM = 3000.0
 
 
 @dataclass(frozen=True)
@@ -89,17 +88,18 @@ class NestDialog(QDialog):
         )
         self.block.edited.connect(self._fit)
         self.sides = [
-            NumberField("mm", least=10, greatest=_MOST_MM, step=10, decimals=0) for _ in _SHEET_MM
+            NumberField("mm", least=10, greatest=MOST_SIDE_MM, step=10, decimals=0)
+            for _ in _SHEET_MM
         ]
         names = (tr("Length"), tr("Width"), tr("Height"))
         for field, name, side in zip(self.sides, names, _SHEET_MM, strict=True):
             field.setAccessibleName(name)
             field.setToolTip(name)
             field.show_value(side)
-        self.gap = NumberField("mm", least=0, greatest=100, step=1)
+        self.gap = NumberField("mm", least=0, greatest=MOST_GAP_MM, step=1)
         self.gap.setToolTip(tr("Between two pieces: for a router more than its cutter"))
         self.gap.show_value(GAP_MM)
-        self.margin = NumberField("mm", least=0, greatest=100, step=1)
+        self.margin = NumberField("mm", least=0, greatest=MOST_GAP_MM, step=1)
         self.margin.setToolTip(tr("From the pieces to the sides of the block"))
         self.margin.show_value(MARGIN_MM)
         self.machine = ComboBox(

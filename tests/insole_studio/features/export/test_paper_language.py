@@ -136,6 +136,7 @@ def test_papers_of_the_router_in_swedish_hold_no_word_of_the_english_ones(
             nest, tmp_path / language / "o.stl", title="26-7",
             milling=MillingChoice(machine, both_sides=True), translate=translation_into(language),
         )  # fmt: skip
+        assert "o-pin-holes" in text_of_pdf(tmp_path / language / "o-pieces.pdf")
     for paper, count in (("o-pieces.pdf", 20), ("o-setup-sheet.pdf", 50)):
         english, swedish = words_of(tmp_path / "en" / paper), words_of(tmp_path / "sv" / paper)
         assert len(english - swedish) > count

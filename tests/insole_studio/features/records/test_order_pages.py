@@ -450,3 +450,11 @@ def test_orders_of_the_page_are_nested_on_a_sheet(
     assert all(f"{number} {side}" in model for number in ("26-A", "26-B") for side in Side)
     assert "Berg" not in model + (tmp_path / "day.dxf").read_text()
     assert [records.orders.get(each.id).state for each in written] == 2 * [OrderState.DESIGNED]
+    QTest.mouseClick(page.nest_button, LEFT)
+    dialog = clinic.features.records.nest_actions.dialog
+    assert dialog is not None
+    questions.path = tmp_path / "Berg friday.3mf"
+    QTest.mouseClick(dialog.nest, LEFT)
+    rest()
+    assert "The file name holds the patient's name" in clinic.services.messages.dialogs[-1].text()
+    assert not [*tmp_path.glob("Berg*")]
