@@ -176,7 +176,7 @@ def printed_densities(printed: PrintedPart, layer_mm: float, g_per_cm3: float) -
     cut = _Cut(whole, inner, held, line_mm)
     sparse = _sparse(cut, printed.bottom_layers, printed.top_layers)
     bridged = _opened(inner, _under(whole)) & ~_bottom(whole)
-    zone: npt.NDArray[np.int8] = np.full(whole.shape, -1, np.int8)
+    zone: npt.NDArray[np.int16] = np.full(whole.shape, -1, np.int16)
     for number, modifier in enumerate(printed.modifiers):
         shape = to_manifold(modifier.mesh)
         zone[raster.layers([shape.slice(float(level)) for level in levels], -_PIXEL_MM)] = number
@@ -295,7 +295,11 @@ def _border_mm(masks: BoolArray) -> float:
 
 
 def _densities(
-    printed: PrintedPart, laid: _Laid, zone: npt.NDArray[np.int8], layer_mm: float, g_per_cm3: float
+    printed: PrintedPart,
+    laid: _Laid,
+    zone: npt.NDArray[np.int16],
+    layer_mm: float,
+    g_per_cm3: float,
 ) -> Iterator[ZoneDensity]:
     rest = Message("{zone} {density:g} %", zone="rest", density=printed.infill.density_percent)
     areas = (Modifier(printed.mesh, rest, printed.infill), *printed.modifiers)

@@ -43,6 +43,8 @@ ZoneKind: TypeAlias = Literal[
 ]
 ZONE_KINDS: tuple[ZoneKind, ...] = get_args(ZoneKind)
 _MOST_KPA = 5000.0
+_MOST_ZONES = 50
+"""Graded, the borders of so many have some thousands of strips."""
 
 
 @dataclass(frozen=True)
@@ -186,6 +188,7 @@ def read_zones(
     known = {preset.name: preset for preset in presets or read_print_presets()}
     preset = known[root.choice("preset", tuple(known))]
     zones = tuple(_zone(item, preset.pattern) for item in root.objects("zones"))
+    _require_few(root, zones)
     _require_single(root, zones)
     plan = plan_of(
         preset,
@@ -230,6 +233,17 @@ def _range(item: JsonObject) -> tuple[float, float]:
     if high <= low:
         raise item.fail("to_kpa", "must be above from_kpa")
     return low, high
+
+
+def _require_few(root: JsonObject, zones: Sequence[Zone]) -> None:
+    """Refuse more zones than a slicer could be given."""
+    if len(zones) > _MOST_ZONES:
+        raise root.fail(
+            "zones",
+            "has {count} zones, and a print may have {most}; put some of them together",
+            count=len(zones),
+            most=_MOST_ZONES,
+        )
 
 
 def _require_single(root: JsonObject, zones: Sequence[Zone]) -> None:

@@ -1896,6 +1896,10 @@
             <translation>Inga enskilda tår syns, som i en strumpa eller där de flutit ihop, så det som ligger vid dem är en gissning; se efter att det är en fot och inte en läst eller en protes.</translation>
         </message>
         <message>
+            <source>No tabs hold the pieces, and the last cut has set them free: wait till the cutter stands still, and take them out.</source>
+            <translation>Inga flikar håller styckena, och sista snittet har frigjort dem: vänta tills fräsen står stilla och ta ut dem.</translation>
+        </message>
+        <message>
             <source>No thickness can be proposed without a material; choose one of {names}.</source>
             <translation>Ingen tjocklek kan föreslås utan material; välj ett av {names}.</translation>
         </message>
@@ -3000,6 +3004,10 @@
             <translation>Korrektionen mättes på sensor {owner}, inte på {serial}</translation>
         </message>
         <message>
+            <source>The cutter "{cutter}" goes {free:g} mm deep into a hole, and the holes for the dowels are {depth:g} mm deep; take a longer cutter for the contour.</source>
+            <translation>Fräsen ”{cutter}” går {free:g} mm djupt i ett hål, och hålen för styrpinnarna är {depth:g} mm djupa; ta en längre fräs för konturen.</translation>
+        </message>
+        <message>
             <source>The cutter "{cutter}" is too thick for a hollow of the {side} at x = {x:.0f} mm, y = {y:.0f} mm of the block: {left:.1f} mm stay there; take a thinner one.</source>
             <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side} vid x = {x:.0f} mm, y = {y:.0f} mm i blocket: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
         </message>
@@ -3014,6 +3022,10 @@
         <message>
             <source>The cutter "{cutter}" is too thick for a hollow of the {side}, {heel:.0f} mm from the heel on the medial side: {left:.1f} mm stay there; take a thinner one.</source>
             <translation>Fräsen ”{cutter}” är för tjock för en fördjupning på {side}, {heel:.0f} mm från hälen på insidan: {left:.1f} mm blir kvar där; ta en tunnare.</translation>
+        </message>
+        <message>
+            <source>The cutter "{cutter}" of the contour needs {need:g} mm between two pieces, and some lie nearer to each other; lay them farther apart, or take a thinner cutter.</source>
+            <translation>Konturens fräs ”{cutter}” behöver {need:g} mm mellan två stycken, och några ligger närmare varandra; lägg dem längre isär eller ta en tunnare fräs.</translation>
         </message>
         <message>
             <source>The cutter "{cutter}" reaches {reach:g} mm, and must go {depth:.1f} mm deep; take a lower block or a longer cutter.</source>
@@ -5722,6 +5734,10 @@
         <message>
             <source>has {count} markers, but at least 4 are needed</source>
             <translation>har {count} markörer, men minst 4 behövs</translation>
+        </message>
+        <message>
+            <source>has {count} zones, and a print may have {most}; put some of them together</source>
+            <translation>har {count} zoner, och en utskrift får ha {most}; slå ihop några av dem</translation>
         </message>
         <message>
             <source>has {found} numbers, but must have {count}</source>

@@ -10,12 +10,20 @@ from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
+import manifold3d
 import numpy as np
 import pytest
 
 from benchmarks._printed_density import BED_MM, sliced
 from insole_core.errors import DesignError, InputError, OutputError, UsageError
-from insole_core.formats.slicer_3mf import PRINTERS, Infill, Printer, write_slicer_3mf
+from insole_core.formats.slicer_3mf import (
+    PRINTERS,
+    Infill,
+    Modifier,
+    PrintedPart,
+    Printer,
+    write_slicer_3mf,
+)
 from insole_core.formats.three_mf import CORE
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
@@ -29,7 +37,7 @@ from insole_core.solids.order import Order, Part, make_part
 from insole_core.solids.print_density import printed_densities
 from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.print_zones import PrintPlan, Zone, plan_of, read_zones, require_printable
-from insole_core.solids.simplification import to_manifold
+from insole_core.solids.simplification import from_manifold, to_manifold
 from insole_core.solids.zone_bodies import OVERLAP_MM, cut_by_zones, placed_print, zoned_part
 from insole_studio.texts import translation_into
 
@@ -190,12 +198,27 @@ def test_zones_file(tmp_path):
             {"zones": [{"zone": "pressure", "from_kpa": 9, "to_kpa": 9, "density_percent": 20}]},
             "to_kpa must be above from_kpa",
         ),
+        (
+            {"zones": [{"zone": "pad", "pad": f"{n}", "density_percent": 9} for n in range(51)]},
+            "has 51 zones, and a print may have 50",
+        ),
         ({"weight_kg": 3}, "weight_kg"),
     ],
 )
 def test_bad_zones_file(tmp_path, changes, sentence):
     with pytest.raises(InputError, match=sentence):
         read_zones(zones_file(tmp_path / "z.json", **changes))
+
+
+def test_more_than_a_hundred_zones_have_their_densities():
+    boxes = [
+        from_manifold(manifold3d.Manifold.cube((3, 12, 3)).translate((3 * n, -1, -1)))
+        for n in range(150)
+    ]
+    body = from_manifold(manifold3d.Manifold.cube((450, 10, 1)))
+    zones = tuple(Modifier(box, f"{n}", PLAIN) for n, box in enumerate(boxes))
+    found = printed_densities(PrintedPart(body, "P", 1, 0, 0, PLAIN, zones), 0.5, 1.2).zones
+    assert [each.name for each in found[-150:]] == [f"{n}" for n in range(150)]
 
 
 def test_pattern_that_a_slicer_does_not_have():
