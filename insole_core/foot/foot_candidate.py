@@ -135,6 +135,8 @@ class FoundFoot:
     ----------
     mesh : mm, source frame
         Facing outwards, without small pieces beside it; of an imprint the positive.
+    steady : mm, source frame
+        The mesh without the noise of its scan; the mesh itself where there is little.
     even : mm, source frame
         Its evenly spread points.
     candidates
@@ -156,6 +158,7 @@ class FoundFoot:
     """
 
     mesh: TriangleMesh
+    steady: TriangleMesh
     even: EvenSurface
     candidates: tuple[FootCandidate, ...]
     doubts: tuple[Message, ...] = ()
@@ -178,9 +181,11 @@ class FoundFoot:
     def moved(self, by: FloatArray) -> FoundFoot:
         """Return the foot in the scan that was moved by a way (3,), mm."""
         there, back = rigid(np.eye(3), by), rigid(np.eye(3), -by)
+        mesh = self.mesh.transformed(there)
         return replace(
             self,
-            mesh=self.mesh.transformed(there),
+            mesh=mesh,
+            steady=mesh if self.steady is self.mesh else self.steady.transformed(there),
             even=self.even.transformed(there),
             candidates=tuple(
                 replace(one, source2insole=one.source2insole @ back) for one in self.candidates

@@ -202,18 +202,18 @@ def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = Fal
     other = found.best(candidate.side.other)
     if other is not None and candidate.dissimilarity > CLEAR * other.dissimilarity and not force:
         raise SideMismatchError(candidate.side, _reason(other.side))
-    steady = without_noise(found.mesh)
-    source2insole = at_origin(steady, candidate.source2insole)
+    source2insole = at_origin(found.steady, candidate.source2insole)
     placed = found.even.transformed(source2insole)
     notes = (
         *_side_notes(candidate, other),
         *_candidate_notes(candidate),
         *_rear_notes(placed),
-        *_noise_notes(found.mesh),
+        *_noise_notes(found),
         *found.notes,
     )
     mesh = found.mesh.transformed(source2insole)
-    measured = mesh if steady is found.mesh else steady.transformed(source2insole)
+    is_steady = found.steady is found.mesh
+    measured = mesh if is_steady else found.steady.transformed(source2insole)
     if candidate.leg is not None:
         mesh, measured = (without_leg(one, candidate.leg) for one in (mesh, measured))
         placed = placed.part(~is_leg(placed.points, candidate.leg))
@@ -276,7 +276,8 @@ def _found(
     shows_pulps: bool = True,
 ) -> FoundFoot:
     """Level the surface as a foot of either side."""
-    even = EvenSurface.of(without_noise(mesh))
+    steady = without_noise(mesh)
+    even = EvenSurface.of(steady)
     nearest, other = sorted(
         (_best(even, points, poses, side, normals, shows_pulps=shows_pulps) for side in Side),
         key=lambda one: one.dissimilarity,
@@ -288,7 +289,7 @@ def _found(
         poses = _as_it_lies(points, nearest.source2insole)
         again = _best(even, points, poses, other.side, shows_pulps=shows_pulps)
         other = replace(again, dissimilarity=other.dissimilarity)
-    return FoundFoot(mesh, even, (nearest, other), notes=notes)
+    return FoundFoot(mesh, steady, even, (nearest, other), notes=notes)
 
 
 def _foot_poses(
@@ -514,9 +515,8 @@ def _rear_notes(surface: EvenSurface) -> Iterator[str]:
         )
 
 
-def _noise_notes(mesh: TriangleMesh) -> Iterator[str]:
-    noise = noise_mm(mesh)
-    if mesh.touches is None and noise > _NOISY_MM:
+def _noise_notes(found: FoundFoot) -> Iterator[str]:
+    if found.steady is not found.mesh and (noise := noise_mm(found.mesh)) > _NOISY_MM:
         yield Message(
             "The surface is noisy, by about {noise_mm:.1f} mm; it was smoothed to be measured, and "
             "its measures are uncertain by as much.",
