@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import cv2
 import manifold3d
@@ -14,8 +15,8 @@ from numpy.lib.stride_tricks import sliding_window_view
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.milling.machine import Machine
-from insole_core.milling.stock import Stock
+from insole_core.milling.machine import Cutter, Machine
+from insole_core.milling.stock import Stock, runs_of_closed
 from insole_core.milling.surface import Surface
 from insole_core.milling.tabs import Tabs
 from insole_core.milling.tool_path import (
@@ -29,6 +30,8 @@ from insole_core.milling.tool_path import (
 _ARC_PIECES = 64
 """Of a circle; its chords leave an arc of 3 mm by less than twice `_CHORD_MM`."""
 _CHORD_MM = 0.002
+_SLACK_MM = 0.01
+"""By which the cutter may be thicker than the gap between two solids; more is a gouge."""
 _ABOVE_MM = 1e-4
 _SECTION_MM = 0.25
 """Between the sections whose union a wall must stay outside of."""
@@ -86,7 +89,8 @@ def contour(
     walls = _wall_tops(surface, how.cutter.radius_mm)
     for loop in loops:
         path = tabs.over_way(densified(loop.line_mm), loop.level_mm, surface)
-        for run in _pieces(path, _needed(path, loop.level_mm, surface, walls, machine)):
+        needed = _needed(path, loop.level_mm, surface, walls, machine)
+        for run in runs_of_closed(path[:-1], needed[:-1]):
             stock.write(run, writer, how.cutter, how.step_down_mm, beside=0.0)
     for way in along_edges:
         stock.write(way, writer, how.cutter, how.step_down_mm, beside=0.0)
@@ -136,6 +140,36 @@ def contour_loops(
         loops.extend(Loop(float(level[-1]), line) for line in lines)
     _require_room(np.concatenate([loop.line_mm for loop in loops]), block_mm, machine)
     return loops
+
+
+def require_apart(loops: Sequence[Sequence[Loop]], machine: Machine) -> None:
+    """Check that no way round one solid leads through another.
+
+    Parameters
+    ----------
+    loops
+        Of each solid; the last ones lie farthest out.
+
+    Raises
+    ------
+    DesignError
+        When the cutter does not fit between two solids.
+    """
+    cutter = machine.contour.cutter
+    for one, other in combinations([_enclosed(each) for each in loops], 2):
+        if not (one ^ other).is_empty():
+            raise DesignError(
+                'The cutter "{cutter}" of the contour needs {need:g} mm between two pieces, and '
+                "some lie nearer to each other; lay them farther apart, or take a thinner cutter.",
+                cutter=cutter.name,
+                need=cutter.diameter_mm,
+            )
+
+
+def _enclosed(loops: Sequence[Loop]) -> manifold3d.CrossSection:
+    """Return what the lowest ways round a solid enclose: the solid, wider by the radius."""
+    lines = [loop.line_mm[:-1] for loop in loops if loop.level_mm == loops[-1].level_mm]
+    return manifold3d.CrossSection(lines).offset(-_SLACK_MM / 2 - 2 * _CHORD_MM)
 
 
 def outermost(loops: Sequence[Loop]) -> FloatArray:
@@ -191,19 +225,6 @@ def _needed(
     return np.asarray(reaches_up & reaches_down & (surface.beside_mm[i, j] > 0))
 
 
-def _pieces(path: FloatArray, cut: BoolArray) -> list[FloatArray]:
-    """Return the runs of a closed path (n, 3) at the points to cut."""
-    if cut.all():
-        return [path]
-    if not cut.any():
-        return []
-    gap = int(np.flatnonzero(~cut)[0])
-    path, cut = np.roll(path[:-1], -gap, axis=0), np.roll(cut[:-1], -gap)
-    edges = np.diff(np.pad(cut.astype(np.int8), 1))
-    starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
-    return [path[a:b] for a, b in zip(starts, ends, strict=True)]
-
-
 def dowel_places(
     machine: Machine, block_mm: tuple[float, float, float]
 ) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -223,21 +244,23 @@ def dowel_holes(
     Raises
     ------
     DesignError
-        When a hole is narrower than the cutter, meets the side of the block, or is too near a
-        piece.
+        When a hole is narrower than the cutter or deeper than it reaches, meets the side of the
+        block, or is too near a piece.
     """
     for place in dowel_places(machine, block_mm):
         _require_free(place, machine, surface, block_mm)
     return bored_at_dowels(machine, block_mm)
 
 
-def bored_at_dowels(machine: Machine, block_mm: tuple[float, float, float]) -> Operation:
+def bored_at_dowels(
+    machine: Machine, block_mm: tuple[float, float, float], side: SideName = "foot side"
+) -> Operation:
     """Bore through a block, or through the upper layer of a spoil board, where the dowels sit.
 
     Raises
     ------
     DesignError
-        When a hole is narrower than the cutter.
+        When a hole is narrower than the cutter, or deeper than it reaches.
     """
     how, cutter = machine.both_sides, machine.contour.cutter
     radius = how.dowel_diameter_mm / 2 - cutter.radius_mm
@@ -248,10 +271,24 @@ def bored_at_dowels(machine: Machine, block_mm: tuple[float, float, float]) -> O
             hole=how.dowel_diameter_mm,
             cutter=cutter.name,
         )
+    _require_depth(cutter, block_mm[2])
     writer = PathWriter(block_mm[2] + machine.safe_height_mm)
     for place in dowel_places(machine, block_mm):
         writer.start(_bore(place, radius, block_mm[2], machine.roughing.step_down_mm))
-    return writer.operation("dowels", "foot side", cutter)
+    return writer.operation("dowels", side, cutter)
+
+
+def _require_depth(cutter: Cutter, depth_mm: float) -> None:
+    """Check that neither the collet nor a shank thicker than its edges meets the holes' rim."""
+    free_mm = cutter.flute_mm if cutter.shank_mm > cutter.diameter_mm else cutter.reach_mm
+    if free_mm < depth_mm:
+        raise DesignError(
+            'The cutter "{cutter}" goes {free:g} mm deep into a hole, and the holes for the dowels '
+            "are {depth:g} mm deep; take a longer cutter for the contour.",
+            cutter=cutter.name,
+            free=free_mm,
+            depth=depth_mm,
+        )
 
 
 def _require_free(

@@ -19,7 +19,11 @@ _PREAMBLE = "G17 G21 G40 G49 G80 G90 G94"
 """Plane xy, mm, no compensation of radius or length, no cycle, absolute, feed in mm/min."""
 
 
-_LIES = {"foot side": "foot side up", "underside": "turned onto its dowels, foot side down"}
+_LIES = {
+    "foot side": "the block foot side up",
+    "underside": "the block turned onto its dowels, foot side down",
+    "spoil board": "the spoil board, without a block",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +36,7 @@ class ProgramFile:
 
 @dataclass(frozen=True)
 class Station:
-    """A side that lies up, and the cutter that is in the spindle."""
+    """What lies up, and the cutter that is in the spindle."""
 
     side: SideName
     cutter: Cutter
@@ -70,7 +74,7 @@ def programs(
         own = []
         while waiting and Station(waiting[0].side, waiting[0].cutter) == station:
             own.append(waiting.pop(0))
-        title = f"File {number} of {len(in_order)}"
+        title = "Dowels" if station.side == "spoil board" else f"File {number} of {len(in_order)}"
         text = "\n".join(_file_lines(plan, station, own, title, job)) + "\n"
         files.append(ProgramFile(text, tuple(own)))
     return files
@@ -83,15 +87,18 @@ def _file_lines(
     machine, cutter = plan.machine, station.cutter
     words = _words(plan, job) | _tool(cutter.number, cutter.name, cutter.spindle_rpm)
     width, length, height = (_number(size) for size in plan.block_mm)
-    at, level = machine.origin.at, machine.origin.height
+    at, level = machine.origin.at, str(machine.origin.height)
     yield from _filled(machine.texts.header, words)
-    yield f"({title}: the block {_LIES[station.side]})"
+    yield f"({title}: {_LIES[station.side]})"
     yield (
         f"(Put in tool {cutter.number}: {_comment(cutter.name)}, flutes {cutter.flute_mm:g} mm, "
         f"{cutter.reach_mm:g} mm to the collet, and set its height)"
     )
-    yield f"(Block {width} x {length} x {height} mm, its length along {machine.length_along})"
     x_mm, y_mm = machine.origin.offset_mm
+    if station.side == "spoil board":
+        level = f"{level} of the board"
+    else:
+        yield f"(Block {width} x {length} x {height} mm, its length along {machine.length_along})"
     yield f"(Zero {machine.work_offset}: {at} of the block, X{x_mm:g} Y{y_mm:g} from it, {level})"
     yield f"{_PREAMBLE} {machine.work_offset}"
     yield from _filled(machine.texts.start, words)

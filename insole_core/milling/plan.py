@@ -142,6 +142,11 @@ class MillingPlan:
         return values
 
     @property
+    def is_turned(self) -> bool:
+        """Whether the block is turned onto dowels, so that its underside is milled too."""
+        return any(operation.side == "underside" for operation in self.operations)
+
+    @property
     def minutes(self) -> float:
         """Time of the path, without changes of cutters."""
         return sum(operation.minutes(self.machine) for operation in self.operations)

@@ -10,7 +10,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.milling.drop_cutter import tip_heights
 from insole_core.milling.machine import Machine, Roughing
 from insole_core.milling.rasters import Raster, Run, raster_lines, runs_of
-from insole_core.milling.stock import Stock, pieces_of, widened
+from insole_core.milling.stock import Stock, runs_of_closed, widened
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (
     CLEARANCE_MM,
@@ -105,10 +105,7 @@ def _ways(loop: FloatArray, left: BoolArray, near: BoolArray) -> list[FloatArray
     if not (left & near).any():
         return []
     kept = near & widened(np.pad(left, _BEYOND, mode="wrap"), _BEYOND)[_BEYOND:-_BEYOND]
-    if kept.all():
-        return [np.concatenate([loop, loop[:1]])]
-    gap = int(np.flatnonzero(~kept)[0])
-    return pieces_of(np.roll(loop, -gap, axis=0), np.roll(kept, -gap))
+    return runs_of_closed(loop, kept)
 
 
 class _Level:

@@ -15,6 +15,7 @@ from insole_core.milling.contours import (
     contour,
     contour_loops,
     outermost,
+    require_apart,
     ways_along_edge,
 )
 from insole_core.milling.machine import FlipAxis, Machine
@@ -69,7 +70,7 @@ def one_side_of(
     Raises
     ------
     DesignError
-        When the cutter does not fit between a solid and the side of the block.
+        When the cutter does not fit between two solids, or a solid and the side of the block.
     """
     surface = _sampled(solids, block_mm, machine)
     loops = [contour_loops(solid, machine, block_mm, 0.0) for solid in solids]
@@ -87,7 +88,7 @@ def both_sides_of(
     Raises
     ------
     DesignError
-        When the cutter does not fit between a solid and the side of the block.
+        When the cutter does not fit between two solids, or a solid and the side of the block.
     """
     flip, skin_mm = machine.both_sides.flip, machine.both_sides.skin_mm
     turned = [turned_over(solid, block_mm, flip) for solid in solids]
@@ -156,6 +157,7 @@ def _foot_side(
     tabs_begin_mm: Float32Array,
     machine: Machine,
 ) -> BlockSide:
+    require_apart(loops, machine)
     outlines = [outermost(each) for each in loops]
     tabs = tabs_of_foot_side(surface, outlines, tabs_begin_mm, machine)
     floor = tabs.over(surface, bottom_mm)

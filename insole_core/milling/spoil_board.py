@@ -25,9 +25,9 @@ def spoil_board_plan(machine: Machine, block_mm: tuple[float, float, float]) -> 
     Raises
     ------
     DesignError
-        When a hole is narrower than the cutter.
+        When a hole is narrower than the cutter, or deeper than it reaches.
     """
     on_the_board = replace(machine, origin=replace(machine.origin, height="top"))
     layer_mm = (*block_mm[:2], machine.both_sides.board_depth_mm)
-    bored = bored_at_dowels(on_the_board, layer_mm)
+    bored = bored_at_dowels(on_the_board, layer_mm, "spoil board")
     return MillingPlan(on_the_board, layer_mm, (), (bored,), (), ())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import cv2
@@ -25,7 +26,8 @@ _SAME = 0.05
 """Share of a step that is none."""
 _LONGER = 12
 """Points to either side of one where too much would be cut: a thin one has no node on each."""
-_MOST_SAMPLES = 20_000
+_MOST_SAMPLES = 1_000_000
+"""Nodes under a cutter, at all its places, that are looked at together."""
 _LEAST_RAMP_MM = 0.5
 """Depth that is entered from above."""
 _MOST_LEGS = 16
@@ -89,18 +91,17 @@ class Stock:
         """
         i, j, above = _under(self._sweeper, self._step_mm / self.every)
         left = np.empty(len(nodes))
-        for begin in range(0, len(nodes), _MOST_SAMPLES):
-            part = nodes[begin : begin + _MOST_SAMPLES]
-            a = np.clip(part[:, :1] + i, 0, self._shape[0] - 1)
-            b = np.clip(part[:, 1:] + j, 0, self._shape[1] - 1)
-            left[begin : begin + _MOST_SAMPLES] = (self._swept[a, b] + above).min(axis=1)
+        for part in _parts(len(nodes), len(i)):
+            a = np.clip(nodes[part, :1] + i, 0, self._shape[0] - 1)
+            b = np.clip(nodes[part, 1:] + j, 0, self._shape[1] - 1)
+            left[part] = (self._swept[a, b] + above).min(axis=1)
         return left
 
     def cut(self, path_mm: FloatArray, cutter: Cutter) -> None:
         """Take away what a cutter meets on a path (n, 3) of its tip."""
-        path = densified(path_mm, self._step_mm / 2)
-        for begin in range(0, len(path), _MOST_SAMPLES):
-            nodes, low = self._met(path[begin : begin + _MOST_SAMPLES], cutter)
+        path, under = densified(path_mm, self._step_mm / 2), _under(cutter, self._step_mm)
+        for part in _parts(len(path), len(under[0])):
+            nodes, low = self._met(path[part], under)
             np.minimum.at(self._heights.ravel(), nodes.ravel(), low.ravel().astype(np.float32))
 
     def over(self, places_mm: FloatArray, cutter: Cutter, beside: float = 0.0) -> FloatArray:
@@ -113,8 +114,12 @@ class Stock:
             between two nodes.
         """
         wide = replace(cutter, diameter_mm=cutter.diameter_mm + 2 * beside * self._step_mm)
-        nodes, above = self._met(np.pad(places_mm[:, :2], ((0, 0), (0, 1))), wide)
-        return np.asarray((self._heights.ravel()[nodes] - above).max(axis=1), float)
+        under = _under(wide, self._step_mm)
+        flat, tips = np.pad(places_mm[:, :2], ((0, 0), (0, 1))), np.empty(len(places_mm))
+        for part in _parts(len(flat), len(under[0])):
+            nodes, above = self._met(flat[part], under)
+            tips[part] = (self._heights.ravel()[nodes] - above).max(axis=1)
+        return tips
 
     def free_tips(self, cutter: Cutter) -> FloatArray:
         """Return the lowest tips (nx, ny) that meet nothing, at the nodes of the surface's grid."""
@@ -151,17 +156,25 @@ class Stock:
             writer.start(without_collinear(whole), clear_mm)
             self.cut(way, cutter)
 
-    def _met(self, path_mm: FloatArray, cutter: Cutter) -> tuple[IntArray, FloatArray]:
+    def _met(
+        self, path_mm: FloatArray, under: tuple[IntArray, IntArray, FloatArray]
+    ) -> tuple[IntArray, FloatArray]:
         """Return the nodes (n, k) under a cutter along a path, and its heights over them.
 
         Nodes beyond the grid are those at its edge.
         """
-        i, j, above = _under(cutter, self._step_mm)
+        i, j, above = under
         middle = np.rint((path_mm[:, :2] - self._first_mm) / self._step_mm).astype(int)
         nx, ny = self._heights.shape
         a = np.clip(middle[:, :1] + i, 0, nx - 1)
         b = np.clip(middle[:, 1:] + j, 0, ny - 1)
         return a * ny + b, path_mm[:, 2:] + above
+
+
+def _parts(places: int, under: int) -> Iterator[slice]:
+    """Yield the places of a cutter, with so many nodes under it, that are looked at together."""
+    step = max(_MOST_SAMPLES // max(under, 1), 1)
+    return (slice(begin, begin + step) for begin in range(0, places, step))
 
 
 def _under(cutter: Cutter, step_mm: float) -> tuple[IntArray, IntArray, FloatArray]:
@@ -204,6 +217,17 @@ def pieces_of(way_mm: FloatArray, kept: BoolArray) -> list[FloatArray]:
     edges = np.diff(np.pad(kept.astype(np.int8), 1))
     starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
     return [way_mm[a:b] for a, b in zip(starts, ends, strict=True) if b - a > 1]
+
+
+def runs_of_closed(ring_mm: FloatArray, kept: BoolArray) -> list[FloatArray]:
+    """Return the pieces of a closed way (n, d), whose last point is not the first one again.
+
+    Where all of it is kept, it is returned with its first point at the end.
+    """
+    if kept.all():
+        return [np.concatenate([ring_mm, ring_mm[:1]])]
+    gap = int(np.flatnonzero(~kept)[0])
+    return pieces_of(np.roll(ring_mm, -gap, axis=0), np.roll(kept, -gap))
 
 
 def entered(way_mm: FloatArray, from_mm: float) -> FloatArray:

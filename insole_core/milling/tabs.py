@@ -70,7 +70,7 @@ class Tabs:
         It rises and falls upright, lower down a little farther from a tab, so that there no level
         meets what those above it have left.
         """
-        away = scipy.spatial.distance.cdist(line_mm, self.places_mm).min(axis=1, initial=np.inf)
+        away = np.asarray(scipy.spatial.cKDTree(self.places_mm).query(line_mm)[0])
         high = np.maximum(self.heights_mm[surface.index_of(line_mm)], level_mm)
         reach = self.how.tab_length_mm / 2 + self.how.cutter.radius_mm
         beyond = away - reach - _FLANK * (high - level_mm)

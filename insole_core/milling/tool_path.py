@@ -26,7 +26,8 @@ LINK_MM = 12.0
 """Longest way within the block from one run to another that is quicker than above it."""
 _STEEP = 3.0
 """Fall per way, 72 degrees, from which a cutter plunges."""
-SideName: TypeAlias = Literal["foot side", "underside"]
+SideName: TypeAlias = Literal["foot side", "underside", "spoil board"]
+"""Of the block, which is milled; or the board below it, which is bored before it lies there."""
 
 
 def motion_minutes(

@@ -176,8 +176,7 @@ def write_milling(
     if not beside.programs:
         return
     job, machine = identification["pseudonym"], plan.machine
-    both_sides = any(left.side == "underside" for left in plan.left_over)
-    in_order = stations(machine, both_sides=both_sides)
+    in_order = stations(machine, both_sides=plan.is_turned)
     texts = programs(plan, in_order, job, progress.part(0.0, 0.7))
     made = []
     for place, file, text in zip(places.programs, beside.programs, texts, strict=True):
@@ -186,7 +185,7 @@ def write_milling(
     pins = None
     if places.pin_holes is not None and beside.pin_holes is not None:
         board = spoil_board_plan(machine, plan.block_mm)
-        boring = Station("foot side", machine.contour.cutter)
+        boring = Station("spoil board", machine.contour.cutter)
         write_text(programs(board, [boring], job)[0].text, beside.pin_holes)
         pins = RouterFile(places.pin_holes.name, beside.pin_holes, board.operations)
     if beside.setup_sheet is not None:

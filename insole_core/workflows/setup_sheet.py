@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -50,6 +50,7 @@ _FLIPS: Final = {
     "length": "its middle line along its length",
     "width": "its middle line along its width",
 }
+_Place: TypeAlias = tuple[FootInBlock, FloatArray, FloatArray]
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,11 +123,6 @@ def write_setup_sheet(
     notes = [translate(note) for note in plan.notes]
     sheet = SetupSheet(worded, steps, _picture(plan, translate), notes)
     write_setup_paper(sheet, path, translate)
-
-
-def is_turned(plan: MillingPlan) -> bool:
-    """Return whether the block of a plan is turned onto dowels."""
-    return any(operation.side == "underside" for operation in plan.operations)
 
 
 def _machine_facts(plan: MillingPlan) -> dict[str, str]:
@@ -220,7 +216,7 @@ def _cutter_words(plan: MillingPlan, cutter: Cutter) -> Message:
 
 def _holding_facts(plan: MillingPlan) -> dict[str, str]:
     facts: dict[str, str] = {"clamps": _clamps(plan)}
-    if not is_turned(plan):
+    if not plan.is_turned:
         return facts
     how = plan.machine.both_sides
     places = dowels_in_machine(plan)
@@ -329,7 +325,13 @@ def _steps(
                     cutter=_tool(later.cutter),
                 )
         before = file.operations[-1]
-    yield Message("Cut the tabs, and take the pieces out.")
+    if plan.machine.contour.tabs:
+        yield Message("Cut the tabs, and take the pieces out.")
+    else:
+        yield Message(
+            "No tabs hold the pieces, and the last cut has set them free: wait till the cutter "
+            "stands still, and take them out."
+        )
 
 
 def _turning(plan: MillingPlan) -> Message:
@@ -344,7 +346,7 @@ def _tool(cutter: Cutter) -> str:
     return f"{cutter.number} ({cutter.name})"
 
 
-def _places(plan: MillingPlan) -> Iterator[tuple[FootInBlock, FloatArray, FloatArray]]:
+def _places(plan: MillingPlan) -> Iterator[_Place]:
     """Yield each foot, and least and greatest x and y of its solid from the zero."""
     for foot, solid in zip(plan.feet, plan.solids, strict=True):
         corners = in_machine(solid.bounds_mm, plan)[:, :2]
@@ -361,10 +363,10 @@ def _name(foot: FootInBlock, number: int) -> str:
 
 
 def _picture(plan: MillingPlan, translate: Translate) -> SetupPlan:
-    dowels = dowels_in_machine(plan).tolist() if is_turned(plan) else []
+    dowels = dowels_in_machine(plan).tolist() if plan.is_turned else []
     pieces = tuple(
-        LyingPiece(_heights(plan, solid), _labels(plan, number, translate))
-        for number, solid in enumerate(plan.solids)
+        LyingPiece(_heights(plan, solid), _labels(plan, place, number, translate))
+        for number, (solid, place) in enumerate(zip(plan.solids, _places(plan), strict=True), 1)
     )
     return SetupPlan(
         _block_mm(plan), plan.block_mm[2], pieces,
@@ -379,14 +381,14 @@ def _heights(plan: MillingPlan, solid: TriangleMesh) -> HeightMap:
 
 
 def _labels(
-    plan: MillingPlan, number: int, translate: Translate
+    plan: MillingPlan, place: _Place, number: int, translate: Translate
 ) -> tuple[tuple[float, float, str], ...]:
     """Return what stands on a piece: heel, side and toes; of many its number alone."""
-    foot, low, high = list(_places(plan))[number]
+    foot, low, high = place
     axis = 0 if plan.machine.length_along == "x" else 1
     middle = (low + high) / 2
     if foot.mark:
-        return ((float(middle[0]), float(middle[1]), str(number + 1)),)
+        return ((float(middle[0]), float(middle[1]), str(number)),)
     ends = (high, low) if foot.is_turned else (low, high)
     inside = _END_MM if ends[0][axis] < ends[1][axis] else -_END_MM
     named = (
@@ -396,7 +398,7 @@ def _labels(
     )
     labels = []
     for along, word in named:
-        place = middle.copy()
-        place[axis] = along
-        labels.append((float(place[0]), float(place[1]), translate(Message(word))))
+        at = middle.copy()
+        at[axis] = along
+        labels.append((float(at[0]), float(at[1]), translate(Message(word))))
     return tuple(labels)

@@ -8,6 +8,7 @@ import math
 import re
 import shutil
 import subprocess
+import tracemalloc
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,6 +25,9 @@ from insole_core.milling.gcode import gcode, origin_mm, programs, stations
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.milling.sides import turned_over
+from insole_core.milling.spoil_board import spoil_board_plan
+from insole_core.milling.stock import Stock, runs_of_closed
+from insole_core.milling.surface import sample_surface
 from insole_core.milling.tool_path import motion_minutes
 from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportPaths
@@ -500,6 +504,71 @@ def test_every_part_of_a_piece_needs_room_for_the_contour():
     small = manifold3d.Manifold.cube((6, 8, 9)).translate((72, 50, 0))
     with pytest.raises(DesignError, match=r"1\.0 mm too little of the block for the cutter"):
         plan_milling([from_manifold(large + small)], BLOCK_MM, machine())
+
+
+@pytest.mark.parametrize(("gap_mm", "is_refused"), [(5.9, True), (6.0, False)])
+def test_the_cutter_of_the_contour_needs_room_between_two_pieces(gap_mm, is_refused):
+    how = machine()
+    how = replace(how, finishing=replace(how.finishing, step_over_mm=1.0))
+    pieces = [
+        from_manifold(manifold3d.Manifold.cube((12, 15, 5)).translate((x, 12, 0)))
+        for x in (12, 24 + gap_mm)
+    ]
+    block_mm = (60.0, 40.0, 8.0)
+    if is_refused:
+        with pytest.raises(DesignError, match=r'"6 mm flat end".* needs 6 mm between two pieces'):
+            plan_milling(pieces, block_mm, how)
+    else:
+        assert plan_milling(pieces, block_mm, how).operations
+
+
+def with_contour(how: Machine, **changes: float) -> Machine:
+    cutter = replace(how.contour.cutter, **changes)
+    return replace(how, contour=replace(how.contour, cutter=cutter))
+
+
+@pytest.mark.parametrize("changes", [{"reach_mm": 25.5}, {"flute_mm": 25.5, "shank_mm": 8.0}])
+def test_a_dowel_hole_is_no_deeper_than_the_cutter_reaches(changes):
+    """It reaches the piece above the skin, and no farther."""
+    how = with_contour(machine(), **changes)
+    with pytest.raises(DesignError, match=r"goes 25\.5 mm deep into a hole.* 26 mm deep"):
+        plan_milling([solid()], BLOCK_MM, how, both_sides=True)
+    deep = replace(how, both_sides=replace(how.both_sides, board_depth_mm=40.0))
+    with pytest.raises(DesignError, match=r"goes 25\.5 mm deep into a hole.* 40 mm deep"):
+        spoil_board_plan(deep, BLOCK_MM)
+
+
+def test_a_wide_cutter_on_a_long_way_takes_little_memory():
+    box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((10, 10, 0)))
+    surface = sample_surface([box], (40.0, 40.0, 10.0), 5.0, 0.5)
+    stock = Stock(surface, 10.0, 1.0)
+    wide = replace(machine().finishing.cutter, diameter_mm=12.0)
+    stock.sweep(np.full(surface.inside.shape, 6.0), np.ones(surface.inside.shape, bool), wide)
+    count = 30_000
+    places = np.random.default_rng(0).uniform(5, 35, (count, 2))
+    way = np.column_stack([places, np.full(count, 4.0)])
+    nodes = np.stack(surface.index_of(way[:, :2]), axis=1)
+    asked = (
+        lambda: stock.swept_at(nodes),
+        lambda: stock.over(way, wide),
+        lambda: stock.cut(way[::50], wide),
+    )
+    for ask in asked:
+        tracemalloc.start()
+        ask()
+        _, most = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        assert most < 1e8
+
+
+def test_a_closed_way_is_cut_where_it_is_not_kept():
+    ring = np.arange(8.0)[:, None]
+    kept = np.array([1, 1, 0, 0, 1, 0, 1, 1], bool)
+    (run,) = runs_of_closed(ring, kept)  # over the seam; the single point is no way
+    assert run.ravel().tolist() == [6, 7, 0, 1]
+    (whole,) = runs_of_closed(ring, np.ones(8, bool))
+    assert whole.ravel().tolist() == [*range(8), 0]
+    assert runs_of_closed(ring, np.zeros(8, bool)) == []
 
 
 def test_a_dowel_needs_room():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -104,6 +104,33 @@ def test_the_holes_of_the_board_begin_at_its_surface(written: Written) -> None:
     assert heights.min() == -10
     assert heights.max() >= 5
     assert "set the zero as for the block, but z = 0 on the surface" in written.sheet
+
+
+def test_the_program_of_the_board_speaks_of_no_block_that_lies_there(written: Written) -> None:
+    comments = " ".join(re.findall(r"\(.*?\)", written.pins))
+    assert "(dowels, spoil board," in comments
+    assert "foot side" not in comments
+    assert "Block " not in comments
+    assert "File 1" not in comments
+
+
+def test_without_tabs_none_are_cut(tmp_path: Path) -> None:
+    machine = read_machine(resource_path("milling/linuxcnc.json"))
+    machine = replace(
+        machine,
+        contour=replace(machine.contour, tabs=0),
+        finishing=replace(machine.finishing, step_over_mm=1.0),
+    )
+    box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((10, 10, 0)))
+    plan = plan_milling([box], (40.0, 40.0, 8.0), machine, feet=[FootInBlock(Side.LEFT)])
+    places = ExportPaths(
+        tmp_path / "P.stl", programs=(tmp_path / "P.nc",), setup_sheet=tmp_path / "P.pdf"
+    )
+    block = Block("EVA", (40.0, 40.0, 8.0))
+    write_milling(plan, block, places, places, identification={"pseudonym": "P-7"})
+    sheet = " ".join(text_of_pdf(tmp_path / "P.pdf").split())
+    assert "Cut the tabs" not in sheet
+    assert "the last cut has set them free" in sheet
 
 
 def test_the_piece_lies_where_the_sheet_says(written: Written) -> None:
