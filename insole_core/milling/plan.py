@@ -88,13 +88,13 @@ class FootInBlock:
 
     Parameters
     ----------
-    mark
-        Of the order, where a block holds those of several; never the patient's name.
+    order
+        By which the shop knows it, where a block holds those of several; never the patient's name.
     """
 
     side: Side
     is_turned: bool = False
-    mark: str = ""
+    order: str = ""
 
 
 @dataclass(frozen=True, eq=False)

@@ -355,10 +355,10 @@ def _places(plan: MillingPlan) -> Iterator[_Place]:
 
 def _name(foot: FootInBlock, number: int) -> str:
     """Return what a piece is called; those of several orders are numbered as on the picture."""
-    if not foot.mark:
+    if not foot.order:
         return str(foot.side)
     return Message(
-        "{number}: {mark}, {side}", number=number, mark=foot.mark, side=Message(str(foot.side))
+        "{number}: {mark}, {side}", number=number, mark=foot.order, side=Message(str(foot.side))
     )
 
 
@@ -387,7 +387,7 @@ def _labels(
     foot, low, high = place
     axis = 0 if plan.machine.length_along == "x" else 1
     middle = (low + high) / 2
-    if foot.mark:
+    if foot.order:
         return ((float(middle[0]), float(middle[1]), str(number)),)
     ends = (high, low) if foot.is_turned else (low, high)
     inside = _END_MM if ends[0][axis] < ends[1][axis] else -_END_MM
