@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.formats.file_formats import can_carry, carriers
 from insole_core.progress import Progress
+from insole_core.visible_text import visible_line
 from insole_studio.cli import devices, print_arguments
 from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
@@ -57,7 +58,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="TEXT",
         help="for the papers (default: that of the prescription)",
     )
-    shape.add_argument("--lot", default="", metavar="TEXT", help="of the material, for the papers")
+    shape.add_argument(
+        "--lot", type=str.strip, default="", metavar="TEXT", help="of the material, for the papers"
+    )
     shape.add_argument(
         "--mark-numbers", action="store_true", help="serial number and lot below --mark"
     )
@@ -184,6 +187,8 @@ def deliver(
     from insole_core.solids.shop import read_shop
 
     shop = read_shop(arguments.shop)
+    terms = OrderTerms(lot=arguments.lot)
+    terms.check(date.today())
     known = pseudonym(arguments)
     block = None if arguments.block is None else find_block(shop, arguments.block)
     responsible = _responsible(arguments, insoles)
@@ -199,12 +204,12 @@ def deliver(
         print(f"Warning: {sentence}", file=sys.stderr)
     letters = letters_note((known, arguments.material, arguments.lot, *vars(responsible).values()))
     if letters is not None:
-        print(f"Warning: {letters}", file=sys.stderr)
+        print(visible_line(f"Warning: {letters}"), file=sys.stderr)
     job = export_job.ExportJob(
         parts,
         shop,
         identification={"pseudonym": known},
-        terms=OrderTerms(lot=arguments.lot),
+        terms=terms,
         responsible=responsible,
         materials={insole.design.side: _material(insole, arguments) for insole in insoles},
         block=block,

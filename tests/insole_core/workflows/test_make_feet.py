@@ -158,6 +158,14 @@ def test_a_foot_that_its_volume_cuts_is_refused(
         reconstruct_feet(alone, method="thesis")
 
 
+def test_a_foot_that_its_volume_cuts_is_refused_beside_the_other_one(
+    opened: MeasuredSession,
+) -> None:
+    cut = with_volume_of_left(opened, (-70.0, -150.0, -25.0), (70.0, 20.0, 150.0))
+    with pytest.raises(DoubtfulFeetError, match="The left foot reaches out of its volume"):
+        reconstruct_feet(cut, method="thesis")
+
+
 def test_the_volume_of_one_foot_is_corrected_alone(opened: MeasuredSession) -> None:
     box = Box((-60.0, -150.0, -25.0), (60.0, 150.0, 100.0))
     edits = HandEdits({"left": ViewEdits(excluded=("LS1",))}).with_volume(Side.RIGHT, box)

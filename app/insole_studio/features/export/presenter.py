@@ -569,6 +569,8 @@ class ExportPresenter:
         if record.feet is before.feet and record.at_hand is before.at_hand:
             self._record = record
             self._panel.show_patient(patient_text(record.patient))
+            if record.order != before.order:
+                self._number_again()
             return
         own = {
             side: material

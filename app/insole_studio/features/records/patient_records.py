@@ -212,8 +212,9 @@ class PatientRecords(QObject):
             return
         self.transfer.export(person.id, person.name)
 
-    def open_visit(self, visit_id: str) -> None:
-        """Open a visit as the case of the window."""
+    def open_visit(self, visit_id: str, *, then_export: bool = False) -> None:
+        """Open a visit as the case of the window, and perhaps what exports it."""
+        self._visit_to_export = visit_id if then_export else ""
         self._leave_case(lambda: self._keeper.open_visit(visit_id, self._tell))
 
     def begin_visit(self, *, same_prescription: bool = False) -> None:
@@ -400,8 +401,7 @@ class PatientRecords(QObject):
         def revise(found: tuple[Order, str]) -> None:
             order, revised = found
             if order.number == revised:
-                self._visit_to_export = order.visit_id
-                self.open_visit(order.visit_id)
+                self.open_visit(order.visit_id, then_export=True)
                 return
             sentence = tr(
                 "Order {number} was cancelled, or is not the last one of its visit, and gets no "
