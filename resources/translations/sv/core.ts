@@ -1696,10 +1696,6 @@
             <translation>Söker brädet på {capture}</translation>
         </message>
         <message>
-            <source>Lot of the material</source>
-            <translation>Materialets parti</translation>
-        </message>
-        <message>
             <source>Machine</source>
             <translation>Maskin</translation>
         </message>
@@ -1730,6 +1726,10 @@
         <message>
             <source>Material and make</source>
             <translation>Material och utförande</translation>
+        </message>
+        <message>
+            <source>Material lot</source>
+            <translation>Materialets parti</translation>
         </message>
         <message>
             <source>Measure</source>

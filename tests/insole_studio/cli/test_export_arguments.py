@@ -92,7 +92,7 @@ def test_blocking_rule_and_its_override(
         (["--job-sheet", "{tmp}/sheet.txt"], 2, "written as .pdf"),
         (["--triangles", "50"], 1, "too few"),
         (["--mark", " "], 1, "identification is empty"),
-        (["--lot", "7" * 300], 1, "The lot of the order has 300 characters"),
+        (["--lot", "7" * 300], 1, "The lot of the material of the order has 300"),
         (["--draft", "80"], 1, "draft_deg is 80"),
         (["--rules", "{tmp}/none.json"], 1, "cannot be read"),
         (["--cutter", "0"], 1, "must be 1 to 40 mm"),

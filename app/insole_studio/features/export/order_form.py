@@ -41,6 +41,8 @@ _AS_TEXT = " text"
 _PRINTED = carriers("print settings")[0].ending
 _REVISED, _NEW = "revised", "new"
 _LINES_PX = 52
+_BLOCK_LETTERS = 24
+"""Of a block that are seen on the smallest screen; its list shows all."""
 
 
 @dataclass(frozen=True)
@@ -107,6 +109,10 @@ class OrderForm(QWidget):
         )
         self.both = QCheckBox(tr("Both feet"))
         self.block = ComboBox([])
+        self.block.setSizeAdjustPolicy(
+            ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.block.setMinimumContentsLength(_BLOCK_LETTERS)
         self.own_blocks = QPushButton(tr("Own blocks…"))
         self.own_blocks.clicked.connect(self.blocks_requested)
         self.show_blocks(stock.blocks)

@@ -66,7 +66,7 @@ class TermsFields(QObject):
             (tr("Quantity"), self.quantity),
             (tr("Colour"), self.colour),
             (tr("Cover"), self.cover),
-            (tr("Lot of the material"), self.lot),
+            (tr("Material lot"), self.lot),
             (tr("Delivery date"), self.deliver_on),
             (tr("Remarks"), self.remarks),
             (tr("Written as"), self.package),
