@@ -146,11 +146,18 @@ def gathered(orders: Iterable[Iterable[OrderedPiece]]) -> list[OrderedPiece]:
     Raises
     ------
     InputError
-        When there are too many; also what reading the orders raises.
+        When there are too many, or an order comes again, perhaps in an earlier revision; also what
+        reading the orders raises.
     """
     pieces: list[OrderedPiece] = []
     for order in orders:
+        before = {piece.order for piece in pieces}
         for piece in order:
+            if piece.order in before:
+                raise InputError(
+                    "Order {number} is among them twice; name its last revision alone.",
+                    number=piece.order,
+                )
             pieces.append(piece)
             _check_number(pieces)
     return pieces

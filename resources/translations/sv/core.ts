@@ -2052,6 +2052,10 @@
             <translation>Beställningsnummer</translation>
         </message>
         <message>
+            <source>Order {number} is among them twice; name its last revision alone.</source>
+            <translation>Beställning {number} är med två gånger; ange bara dess senaste revision.</translation>
+        </message>
+        <message>
             <source>Order {number} was written without solids; export it again.</source>
             <translation>Beställning {number} skrevs utan stycken; exportera den på nytt.</translation>
         </message>

@@ -54,6 +54,7 @@ from insole_core.workflows.nest_orders import (
     GAP_MM,
     DayNest,
     OrderedPiece,
+    gathered,
     nest_pieces,
     pieces_of_files,
     pieces_of_order,
@@ -258,6 +259,13 @@ def test_materials_are_told_in_the_language_of_the_papers() -> None:
     ]
     (note,) = nest_pieces(pieces, SHEET).notes
     assert "Kork och EVA, polypropen" in translation_into("sv")(note)
+
+
+def test_an_order_that_comes_again_is_refused(orders: list[Path]) -> None:
+    read = [list(pieces_of_order(path)) for path in orders]
+    assert gathered(read) == [*read[0], *read[1]]
+    with pytest.raises(InputError, match="Order 26-1 P-1 is among them twice"):
+        gathered([*read, read[0]])
 
 
 def test_a_file_that_was_changed_is_refused(orders: list[Path], tmp_path: Path) -> None:
