@@ -1,10 +1,12 @@
-"""A solid seen from above: its heights on a grid."""
+"""A solid seen from above: its heights on a grid, and discs of its nodes."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from insole_core.geometry.arrays import FloatArray
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,3 +30,10 @@ class HeightMap:
         """Left, right, lower and upper edge, as plots take them."""
         (x, y), (rows, columns) = self.first_mm, self.top_mm.shape
         return x - 0.5, x + columns - 0.5, y - 0.5, y + rows - 0.5
+
+
+def disc(radius_mm: float, step_mm: float) -> ByteArray:
+    """Return which nodes (2 r + 1, 2 r + 1) lie within a radius of the one in the middle."""
+    reach = int(radius_mm / step_mm)
+    i, j = np.mgrid[-reach : reach + 1, -reach : reach + 1]
+    return np.asarray((i * i + j * j) * step_mm**2 <= radius_mm**2, np.uint8)

@@ -15,6 +15,8 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray
+from insole_core.geometry.height_map import disc
+from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.progress import SILENT, Progress
 
 Turn: TypeAlias = int
@@ -83,8 +85,8 @@ def pack(
     if min(columns, rows) < 1:
         return tuple(found)
     taken = np.zeros((rows + 1, columns + 1), np.float32)  # a pixel on both ends
-    around = _disc(gap_mm / _PITCH_MM + _ROUNDING)
-    order = sorted(range(len(outlines)), key=lambda number: -_area_mm2(outlines[number]))
+    around = disc(gap_mm + _ROUNDING * _PITCH_MM, _PITCH_MM)
+    order = sorted(range(len(outlines)), key=lambda number: -abs(signed_area_mm2(outlines[number])))
     for number, step in zip(order, progress.parts(len(order)), strict=True):
         step.step(0.0, "Nesting the pieces")
         best = _lowest(outlines[number], taken, turns)
@@ -144,14 +146,3 @@ def _take(
     columns = slice(max(left, 0), min(left + wide.shape[1], taken.shape[1]))
     part = wide[rows.start - top : rows.stop - top, columns.start - left : columns.stop - left]
     np.maximum(taken[rows, columns], part, out=taken[rows, columns])
-
-
-def _disc(radius: float) -> ByteArray:
-    reach = int(np.ceil(radius))
-    rows, columns = np.mgrid[-reach : reach + 1, -reach : reach + 1]
-    return np.asarray(np.hypot(rows, columns) <= radius, np.uint8)
-
-
-def _area_mm2(outline: FloatArray) -> float:
-    x, y = outline.T
-    return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2

@@ -15,6 +15,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.milling.machine import Cutter, Machine
 from insole_core.milling.stock import Stock, runs_of_closed
 from insole_core.milling.surface import Surface
@@ -174,18 +175,13 @@ def _enclosed(loops: Sequence[Loop]) -> manifold3d.CrossSection:
 
 def outermost(loops: Sequence[Loop]) -> FloatArray:
     """Return the longest way (n, 2) round a solid, mm."""
-    return max((loop.line_mm for loop in loops), key=_area)
+    return max((loop.line_mm for loop in loops), key=signed_area_mm2)
 
 
 def _outer_loops(section: manifold3d.CrossSection) -> list[FloatArray]:
     """Return the closed outlines (n, 2) of all parts of a section, without holes."""
     polygons = [np.asarray(polygon) for polygon in section.to_polygons()]
-    return [np.concatenate([one, one[:1]]) for one in polygons if _area(one) > 0]
-
-
-def _area(polygon: FloatArray) -> float:
-    x, y = polygon.T
-    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+    return [np.concatenate([one, one[:1]]) for one in polygons if signed_area_mm2(one) > 0]
 
 
 def _require_room(way: FloatArray, block_mm: tuple[float, float, float], machine: Machine) -> None:

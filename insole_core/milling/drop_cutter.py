@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from insole_core.geometry.arrays import FloatArray, IntArray
+from insole_core.geometry.height_map import disc
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.milling.machine import Cutter
 from insole_core.milling.surface import Surface, raise_to_triangles
@@ -77,13 +77,6 @@ def _under_disc(surface: Surface, radius_mm: float) -> FloatArray:
         ),
         float,
     )
-
-
-def disc(radius_mm: float, step_mm: float) -> NDArray[np.uint8]:
-    """Return which nodes (2 r + 1, 2 r + 1) lie within a radius of the one in the middle."""
-    reach = int(radius_mm / step_mm)
-    i, j = np.mgrid[-reach : reach + 1, -reach : reach + 1]
-    return np.asarray((i * i + j * j) * step_mm**2 <= radius_mm**2, np.uint8)
 
 
 def finishing_heights(surface: Surface, cutter: Cutter) -> FloatArray:

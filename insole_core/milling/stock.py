@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray, IntArray
-from insole_core.milling.drop_cutter import disc
+from insole_core.geometry.height_map import disc
 from insole_core.milling.machine import Cutter
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import (

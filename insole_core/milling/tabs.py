@@ -10,7 +10,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
-from insole_core.milling.drop_cutter import disc
+from insole_core.geometry.height_map import disc
 from insole_core.milling.machine import Contour, Machine
 from insole_core.milling.surface import Surface
 from insole_core.milling.tool_path import PITCH_MM, densified

@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.formats.dxf import DxfOutline, DxfText
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.geometry.transforms import transform
 from insole_core.insole.outline.insole_outline import shoe_inside
 from insole_core.solids.order import Part
@@ -38,12 +39,7 @@ def silhouette(solid: TriangleMesh) -> tuple[FloatArray, ...]:
 def polygons_of(area: manifold3d.CrossSection) -> tuple[FloatArray, ...]:
     """Return the polygons (n, 2) of an area, mm, without slivers."""
     found = (np.asarray(polygon, float) for polygon in area.to_polygons())
-    return tuple(polygon for polygon in found if abs(_area_mm2(polygon)) > _LEAST_MM2)
-
-
-def _area_mm2(polygon: FloatArray) -> float:
-    x, y = polygon.T
-    return float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+    return tuple(polygon for polygon in found if abs(signed_area_mm2(polygon)) > _LEAST_MM2)
 
 
 def outlines_of(part: Part, insole2file: FloatArray) -> Iterator[DxfOutline]:

@@ -11,6 +11,7 @@ import scipy
 from insole_core.errors import DesignError
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.insole.build import Insole
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.primitives.height_field import HeightField
@@ -61,7 +62,7 @@ def checked_outline(polygon: FloatArray) -> FloatArray:
     DesignError
         If it encloses too little for an insole.
     """
-    area = _area(polygon) if len(polygon) > 2 else 0.0
+    area = signed_area_mm2(polygon) if len(polygon) > 2 else 0.0
     if abs(area) < _LEAST_AREA_MM2:
         raise DesignError(
             "The outline encloses only {area_mm2:.0f} mm², which leaves no insole; draw it round "
@@ -145,9 +146,3 @@ def _densified(polygon: FloatArray) -> FloatArray:
 def _share(place: FloatArray, along: FloatArray) -> FloatArray:
     """Return where on a side (n, 2) its nearest point to a given point lies, 0 to 1."""
     return np.asarray(np.clip((place * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1))
-
-
-def _area(polygon: FloatArray) -> float:
-    """Return the signed area of a closed polygon, positive if counter-clockwise."""
-    x, y = polygon.T
-    return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)

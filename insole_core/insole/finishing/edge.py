@@ -10,6 +10,7 @@ import scipy
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.insole.fields import Place
 from insole_core.insole.outline.insole_outline import full_outline
 from insole_core.insole.prescription.finish import HEADS_ALONG
@@ -70,8 +71,7 @@ class Edge:
     @property
     def turn(self) -> float:
         """+1 if the points run counter-clockwise (right foot), -1 if clockwise."""
-        x, y = self.points_mm.T
-        return float(np.sign((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()))
+        return float(np.sign(signed_area_mm2(self.points_mm)))
 
     def along_of(self, arc_mm: FloatArray) -> FloatArray:
         """Return the share of their border's way (k,) at arc lengths (k,)."""

@@ -13,6 +13,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, Landmarks, find_landmarks
 from insole_core.foot.measures import PARIS_MM
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.geometry.side import Side
 from insole_core.insole.fields import Place
 from insole_core.insole.outline.foot_border import fair_curve, foot_border
@@ -113,7 +114,7 @@ def outline_points(foot: Foot, design: InsoleDesign, landmarks: Landmarks) -> tu
     outline = design.outline
     if outline.source == "drawn" and outline.points_mm is not None:
         points = np.array(outline.points_mm)
-        points = points if _turns_left(points) else points[::-1]
+        points = points if signed_area_mm2(points) > 0 else points[::-1]
     else:
         curve = insole_outline(foot, design, landmarks)
         points = curve[:: len(curve) // _HANDLES]
@@ -286,8 +287,3 @@ def _rounded(curve: FloatArray, corner_mm: tuple[float, float], *corners: FloatA
         curve = curve + rounding[:, None] * (smoothed_along(curve, _ROUNDING_MM) - curve)
         curve = evenly_spread(curve, len(curve))
     return smoothed_along(curve, _EVENING_MM)
-
-
-def _turns_left(points: FloatArray) -> bool:
-    x, y = points.T
-    return bool((x * np.roll(y, -1) - y * np.roll(x, -1)).sum() > 0)

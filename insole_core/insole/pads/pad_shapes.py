@@ -8,6 +8,7 @@ from typing import TypeVar
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.insole.fields import Place
 from insole_core.insole.pads.pad_form import PadForm
 from insole_core.insole.primitives.outline_curve import closed_curve
@@ -167,6 +168,4 @@ def _circle(angle: FloatArray) -> FloatArray:
 
 
 def _counter_clockwise(curve: FloatArray) -> FloatArray:
-    x, y = curve.T
-    area = (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
-    return curve if area > 0 else curve[::-1].copy()
+    return curve if signed_area_mm2(curve) > 0 else curve[::-1].copy()
