@@ -6,7 +6,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import ByteArray, FloatArray, IndexArray, IntArray
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import TriangleMesh, numbered_edges
 
 
 def thinned(mesh: TriangleMesh, pitch_mm: float) -> TriangleMesh:
@@ -100,10 +100,8 @@ def subdivided(mesh: TriangleMesh) -> tuple[TriangleMesh, np.ndarray]:
         was given.
     """
     sides = mesh.triangles[:, [[0, 1], [1, 2], [2, 0]]].astype(np.int64)
-    low, high = sides.min(2), sides.max(2)
     count = len(mesh.vertices)
-    key, middle = np.unique(low * count + high, return_inverse=True)
-    ends = np.stack(np.divmod(key, count), axis=1)
+    ends, middle = numbered_edges(np.sort(sides, axis=2).reshape(-1, 2), count)
     vertices = np.concatenate([mesh.vertices, _middles(mesh, ends)])
     ab, bc, ca = (middle.reshape(-1, 3) + count).T
     a, b, c = mesh.triangles.T

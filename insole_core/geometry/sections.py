@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from insole_core.geometry.arrays import FloatArray, IndexArray, IntArray
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import TriangleMesh, numbered_edges
 
 
 def section_segments(mesh: TriangleMesh, origin: FloatArray, normal: FloatArray) -> FloatArray:
@@ -125,7 +125,7 @@ def level_cut(mesh: TriangleMesh, field: FloatArray) -> _LevelCut:
     cut = mesh.triangles[np.concatenate([one, two])].astype(np.int64)
     corner = cut[np.arange(len(cut))[:, None], (alone[:, None] + np.arange(3)) % 3]
     edges = np.sort(corner[:, [[0, 1], [0, 2]]], axis=-1).reshape(-1, 2)
-    ends, number = np.unique(edges, axis=0, return_inverse=True)
+    ends, number = numbered_edges(edges, len(mesh.vertices))
     first, second = (number.reshape(-1, 2) + len(mesh.vertices)).T
     tips, bases = slice(0, len(one)), slice(len(one), None)
     triangles = np.concatenate(

@@ -11,7 +11,7 @@ from itertools import permutations
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.mesh import TriangleMesh, numbered_edges
 
 _SNAP = 0.02
 """Values smaller than this share of a cell are set to it, outside, to avoid sliver triangles."""
@@ -37,7 +37,7 @@ def extract_surface(field: FloatArray, origin_mm: FloatArray, cell_mm: float) ->
     values = np.where(np.abs(field) < _SNAP * cell_mm, _SNAP * cell_mm, field).ravel()
     corners = _tetrahedra((values < 0).reshape(field.shape), field.shape)
     edges = _cut_edges(corners, values)
-    pairs, triangles = np.unique(edges.reshape(-1, 2), axis=0, return_inverse=True)
+    pairs, triangles = numbered_edges(edges.reshape(-1, 2), field.size)
     start, end = values[pairs[:, 0]], values[pairs[:, 1]]
     share = (start / (start - end))[:, None]
     nodes = [np.stack(np.unravel_index(pairs[:, i], field.shape), axis=1) for i in range(2)]

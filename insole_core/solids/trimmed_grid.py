@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
+from insole_core.geometry.mesh import numbered_edges
 
 _ON_LINE_MM = 0.01
 """A vertex as near to a contour line as this counts as on it, so that no sliver arises."""
@@ -69,10 +70,8 @@ def _split_along(
     alone = _rolled(cut[crossed], sides[crossed] == -sides[crossed].sum(axis=1)[:, None])
     on_line = _rolled(cut[touched], sides[touched] == 0)
     pairs = np.concatenate([alone[:, [0, 1]], alone[:, [0, 2]], on_line[:, [1, 2]]])
-    key = pairs.min(axis=1).astype(np.int64) * len(values) + pairs.max(axis=1)
-    key, number = np.unique(key, return_inverse=True)
-    ends = np.stack(np.divmod(key, len(values)), axis=1)
-    new = (len(values) + number.ravel()).astype(np.int32)
+    ends, number = numbered_edges(np.sort(pairs, axis=1), len(values))
+    new = (len(values) + number).astype(np.int32)
     count = len(alone)
     on_second, on_third, on_opposite = new[:count], new[count : 2 * count], new[2 * count :]
     (a, b, c), (d, e, f) = alone.T, on_line.T
