@@ -241,6 +241,10 @@ class _Survey:
         self.places = np.stack(np.meshgrid(x, y), axis=-1)
 
     @cached_property
+    def unmarked_caster(self) -> RayCaster:
+        return self.caster if self.unmarked is self.solid else RayCaster(self.unmarked)
+
+    @cached_property
     def seen(self) -> tuple[FloatArray, FloatArray]:
         """Heights (ny, nx), NaN beside the solid, and normals (ny, nx, 3)."""
         flat = self.places.reshape(-1, 2)
@@ -390,7 +394,7 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     is_turned = bool(below[lifted].sum() > _SHAPED_SHARE * below.sum())
     hidden = lifted & (up < _DOWNWARD)
     if is_turned:
-        hidden = _covered(solid, hidden, -1.0) | _covered(solid, up > -_DOWNWARD, 1.0)
+        hidden = _covered(survey, hidden, -1.0) | _covered(survey, up > -_DOWNWARD, 1.0)
     area = round(float(areas[hidden].sum()), DECIMALS["undercut"])
     place, spots = None, corners[hidden].mean(axis=1)
     if area > 0:
@@ -399,12 +403,12 @@ def _undercut(survey: _Survey, rules: ExportRules, policy: Policy) -> Finding:
     return Finding("undercut", policy, area <= limit, area, limit, "mm²", sentence, place, spots)
 
 
-def _covered(solid: TriangleMesh, chosen: BoolArray, towards_z: float) -> BoolArray:
+def _covered(survey: _Survey, chosen: BoolArray, towards_z: float) -> BoolArray:
     """Return which of the chosen triangles (n,) have material over them (+1) or below them (-1)."""
-    numbers = np.flatnonzero(chosen)
+    solid, numbers = survey.unmarked, np.flatnonzero(chosen)
     towards = np.broadcast_to([0.0, 0.0, towards_z], (len(numbers), 3))
     centres = solid.vertices[solid.triangles[numbers]].mean(axis=1)
-    hits = RayCaster(solid).cast(centres + _CLEAR_MM * towards, towards)
+    hits = survey.unmarked_caster.cast(centres + _CLEAR_MM * towards, towards)
     covered = np.zeros(len(chosen), dtype=bool)
     covered[numbers[hits.ray]] = True
     return covered
