@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
-import scipy
 
 from insole_core.errors import CalibrationError, InputError, ReconstructionError
 from insole_core.evaluation.alignment import Correspondence
 from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.transforms import transform
 from insole_core.json_object import JsonObject
 from insole_core.reconstruct.markers.blobs import find_blobs
@@ -62,7 +62,7 @@ def points_at_color(sensor: Sensor, depth_mm: FloatArray, color_px: FloatArray) 
     if len(seen) < _NEIGHBOURS:
         raise InputError("The depth image has no readings; capture it again.")
     pixels = sensor.color_camera.project(seen)
-    distance, nearest = scipy.spatial.cKDTree(pixels).query(color_px, k=_NEIGHBOURS)
+    distance, nearest = point_tree(pixels).query(color_px, k=_NEIGHBOURS)
     inverse = _plane_value(pixels[nearest] - color_px[:, None], seen[nearest, 2])
     far = np.asarray(distance)[:, _NEIGHBOURS // 3] > _FAR_PX * sensor.color_camera.width
     inverse[far] = np.nan
