@@ -263,6 +263,7 @@ def test_existing_output_survives_a_failure(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("simulated_once")
 def test_simulation_is_a_session_with_its_truth(tmp_path: Path) -> None:
     out = tmp_path / "session.zip"
     assert run(["simulate", str(out), "--ideal", "--color-size", "640x480"]) == 0

@@ -75,11 +75,15 @@ def test_the_folder_one_works_in_is_never_replaced(
     assert contents(documents.parent) == before
 
 
+SIMULATE = "simulate {} --ideal --color-size 640x480"
+
+
 @pytest.mark.slow
+@pytest.mark.usefixtures("simulated_once")
 def test_an_earlier_session_is_replaced(documents: Path) -> None:
     (documents / "thesis.txt").unlink()
     before = contents(documents)
-    assert run(["simulate", str(documents), "--ideal", "--seed", "7"]) == 0
+    assert run(SIMULATE.format(documents).split()) == 0
     after = contents(documents)
     assert before["manifest.json"] != after["manifest.json"]
     assert [path.name for path in documents.parent.iterdir()] == ["docs"]
@@ -234,8 +238,8 @@ def test_a_command_killed_between_two_renames_is_settled_by_the_next(
     inputs: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", str(inputs.parent / "state"))
-    call = ["measure", str(inputs / "f.ply"), "--side", "right"]
-    call += ["--report", str(inputs / "m.json"), "--csv", str(inputs / "m.csv")]
+    names = ("m.json", "n.json")
+    call = ["calibrate", "reference", "--report", *(str(inputs / name) for name in names)]
     outcomes = []
     with subprocess.Popen(
         [sys.executable, "-c", KILLED, *call],
@@ -245,14 +249,14 @@ def test_a_command_killed_between_two_renames_is_settled_by_the_next(
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
         for steps in range(20):
-            (inputs / "m.json").write_text("old")
-            (inputs / "m.csv").write_text("old")
+            for name in names:
+                (inputs / name).write_text("old")
             print(steps, file=process.stdin, flush=True)
             status = int(process.stdout.readline())
             assert run(["sensors", "--emulate", str(SMALL_SESSION)]) == 0  # any command settles it
-            new = {name: (inputs / name).read_text() != "old" for name in ("m.json", "m.csv")}
+            new = {name: (inputs / name).read_text() != "old" for name in names}
             assert len(set(new.values())) == 1, new
-            outcomes.append(new["m.csv"])
+            outcomes.append(new["m.json"])
             if status == 0:
                 break
             assert status == -signal.SIGKILL
@@ -336,13 +340,14 @@ FILLING = {
     "sheet.pdf": "design f.ply --side right --out i.stl --job-sheet disk/sheet.pdf",
     "d.png": "compare f.ply f.ply --report c.json --picture disk/d.png",
     "c.ply": "compare f.ply f.ply --report c.json --surface disk/c.ply",
-    "s.zip": "simulate disk/s.zip --ideal",
-    "session": "simulate disk/session --ideal",
+    "s.zip": SIMULATE.format("disk/s.zip"),
+    "session": SIMULATE.format("disk/session"),
     "system.pdf": "calibrate reference --report disk/system.pdf",
 }
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("simulated_once")
 @pytest.mark.parametrize("name", FILLING)
 def test_a_full_disk_names_the_file_that_was_asked_for(
     name: str,
@@ -361,18 +366,20 @@ def test_a_full_disk_names_the_file_that_was_asked_for(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", STOP_SIGNALS, ids=lambda number: number.name)
-def test_the_window_ends_alike_on_every_signal(number: signal.Signals) -> None:
+def test_the_window_ends_alike_on_every_signal() -> None:
     code = (
         "import os, signal, sys\n"
         "from PySide6.QtCore import QTimer\n"
         "from insole_studio.app.bootstrap import _quit_on_signals, qt_application\n"
-        "signal.signal(int(sys.argv[1]), signal.SIG_DFL)\n"
         "qt = qt_application()\n"
-        "_quit_on_signals(qt)\n"
-        "QTimer.singleShot(0, lambda: os.kill(os.getpid(), int(sys.argv[1])))\n"
-        "sys.exit(qt.exec())\n"
+        "for number in map(int, sys.argv[1:]):\n"
+        "    signal.signal(number, signal.SIG_DFL)\n"
+        "    _quit_on_signals(qt)\n"
+        "    QTimer.singleShot(0, lambda: os.kill(os.getpid(), number))\n"
+        "    print(number, qt.exec(), flush=True)\n"
     )
-    call = [sys.executable, "-c", code, str(int(number))]
+    call = [sys.executable, "-c", code, *(str(int(number)) for number in STOP_SIGNALS)]
     done = subprocess.run(call, check=False, capture_output=True, text=True)
-    assert done.returncode == 128 + number, done.stderr
+    ends = [f"{int(number)} {128 + number}" for number in STOP_SIGNALS]
+    assert done.stdout.splitlines() == ends, done.stderr
+    assert done.returncode == 0, done.stderr
