@@ -6,6 +6,9 @@ BIN    := $(VENV)/bin
 PYTEST := MALLOC_ARENA_MAX=1 $(BIN)/python -m pytest
 # Each worker takes a row of neighbouring modules, and of the rest of another when it is done.
 OFFSCREEN := QT_QPA_PLATFORM=offscreen $(PYTEST) -n auto --dist worksteal
+# The application after the rest, in workers of its own: those that ran both would keep the memory of both.
+run_offscreen = $(OFFSCREEN) -m $(1) --ignore=tests/insole_studio; rest=$$?; \
+	$(OFFSCREEN) -m $(1) tests/insole_studio && exit $$rest
 READY  := $(VENV)/.ready
 SYSTEM := $(VENV)/.system
 # What is compiled is kept, whatever the environment says: compiling all tests takes longer than any test.
@@ -49,13 +52,13 @@ test: $(READY) ## all tests: the window's offscreen, and beside them those that 
 	$(MAKE) --jobs=2 offscreen display
 
 offscreen: $(READY)
-	$(OFFSCREEN) -m "not display"
+	$(call run_offscreen,"not display")
 
 display: $(READY)
 	QT_QPA_PLATFORM=xcb xvfb-run -a -s "$(SCREEN)" env $(PYTEST) -q -m display $$(grep -rl mark.display tests --include='*.py')
 
 test-fast: $(READY) ## the tests to run while working: all but those that take long
-	$(OFFSCREEN) -m "not display and not slow"
+	$(call run_offscreen,"not display and not slow")
 
 test-without-posix: $(READY) ## the pure part as on Windows: what only POSIX has is hidden from it
 	$(PYTEST) -p tests.without_posix -m "not slow" tests/insole_core
