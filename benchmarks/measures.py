@@ -2,8 +2,8 @@
 
 ``main()`` takes the recorded sessions with their truth that lie beside the checkout, and simulates
 others: of feet of chance, and of real feet and a template that stand in the simulated place. For
-each measure: bias and root mean square of the error, the standard deviation that the product
-states, and the share of the sessions in which the truth lies within twice of it. The foot axis
+each measure: bias and root mean square of the error, the ± that the product states, and the share
+of the sessions in which the truth lies within it. The foot axis
 (pternion to the tip of the 2nd toe), which turns everything, is shown as an angle.
 
 ``python -c "import benchmarks.measures as b; b.main('SESSION', …)"`` takes the named sessions.
@@ -25,7 +25,8 @@ from benchmarks._scan_variants import SHARED
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import find_landmarks
-from insole_core.foot.measures import DEFINITIONS, deviations_mm, measure
+from insole_core.foot.measures import DEFINITIONS, measure
+from insole_core.foot.spread import spreads_of
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -52,11 +53,11 @@ _OTHERS = (
 
 @dataclass(frozen=True)
 class Compared:
-    """Errors and stated standard deviations by measure, of one session."""
+    """Errors and their stated 95 % limits by measure, of one session."""
 
     name: str
     errors: dict[str, float]
-    stated_mm: dict[str, float]
+    limits: dict[str, float]
 
 
 def main(*folders: str) -> None:
@@ -68,7 +69,7 @@ def main(*folders: str) -> None:
     print()
     names = [*DEFINITIONS, _AXIS]
     print_table(
-        ["measure", "bias", "rms", "stated", "within 2", "sessions"],
+        ["measure", "bias", "rms", "stated ±", "within", "sessions"],
         [row for name in names if (row := _row(name, compared))],
     )
     lengths = ("foot_length", "ball_width_across", "ball_length", "heel_width", _AXIS)
@@ -91,7 +92,9 @@ def compare(folder: Path) -> Compared:
         if value is not None and (true := known[name]) is not None
     }
     errors[_AXIS] = _axis_deg(foot) - _axis_deg(truth)
-    return Compared(folder.name, errors, deviations_mm(marks))
+    spreads = spreads_of(marks, is_recorded=True).items()
+    limits = {name: s.limits_95 for name, s in spreads if s.limits_95 is not None}
+    return Compared(folder.name, errors, limits)
 
 
 def _axis_deg(foot: Foot) -> float:
@@ -106,9 +109,9 @@ def _row(name: str, compared: list[Compared]) -> list[str]:
     errors = np.array([one.errors[name] for one in compared if name in one.errors])
     if len(errors) == 0:
         return []
-    stated = np.array([one.stated_mm.get(name, np.nan) for one in compared if name in one.errors])
+    stated = np.array([one.limits.get(name, np.nan) for one in compared if name in one.errors])
     known = np.isfinite(stated)
-    within = np.abs(errors[known]) <= 2 * stated[known]
+    within = np.abs(errors[known]) <= stated[known]
     told = [f"{stated[known].mean():.2f}", f"{within.mean():.2f}"] if known.any() else ["", ""]
     rms = np.sqrt((errors**2).mean())
     return [name, f"{errors.mean():+.2f}", f"{rms:.2f}", *told, str(len(errors))]

@@ -233,6 +233,7 @@ def source_from_json(source: JsonObject) -> ScanSource:
         choice_from_json(source.object("choice")) if source.has("choice") else NOTHING_SAID,
         source.flag("mirrored") if source.has("mirrored") else False,
         source.date("scanned_on")[:10] if source.has("scanned_on") else "",
+        tuple(source.texts("sensors")) if source.has("sensors") else (),
     )
 
 
@@ -243,7 +244,8 @@ def _source_to_json(source: ScanSource) -> dict[str, Any]:
     content["choice"] = choice_to_json(source.choice)
     if not content["choice"]:
         del content["choice"]
-    for key in ("mirrored", "scanned_on"):
+    content["sensors"] = list(source.sensors)
+    for key in ("mirrored", "scanned_on", "sensors"):
         if not content[key]:
             del content[key]
     return content

@@ -111,6 +111,8 @@ class ScanSource:
         Whether the foot is the mirror image of what this scan shows: of the other foot.
     scanned_on
         Day (ISO 8601) of the earlier visit that the scan is of; empty for one of its own visit.
+    sensors
+        Serial numbers of the sensors of a session, sorted; none where they are not known.
     """
 
     kind: str
@@ -121,6 +123,7 @@ class ScanSource:
     choice: ImportChoice = NOTHING_SAID
     mirrored: bool = False
     scanned_on: str = ""
+    sensors: tuple[str, ...] = ()
 
     def with_needed_place(self) -> ScanSource:
         """Return the source as the record keeps it, which holds the scan itself as a capture.

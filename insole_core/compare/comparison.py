@@ -16,8 +16,7 @@ from insole_core.compare.seen_surface import SeenMesh, facing, is_one_sided
 from insole_core.errors import InputError, ReconstructionError
 from insole_core.foot.foot_placement import SideMismatchError, place_foot, recognised_foot
 from insole_core.foot.landmarks import find_landmarks
-from insole_core.foot.measure_table import Measured
-from insole_core.foot.measures import measure
+from insole_core.foot.spread import Limits, MeasuredFoot, measure_foot
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import BOTH, Side
@@ -107,7 +106,9 @@ def _best(a: SeenMesh, b: SeenMesh, progress: Progress) -> tuple[Fit, FloatArray
     return min(fits, key=lambda found: badness(found[0]))
 
 
-def _recorded_foot_measures(mesh: TriangleMesh, side: Side) -> Measured | None:
+def _recorded_foot_measures(
+    mesh: TriangleMesh, side: Side, repeated: Limits
+) -> MeasuredFoot | None:
     """Measure the foot of a session.
 
     Parameters
@@ -115,20 +116,22 @@ def _recorded_foot_measures(mesh: TriangleMesh, side: Side) -> Measured | None:
     mesh : mm, reference frame
     side
         As the session says.
+    repeated
+        By the repeat test of its sensors.
 
     Returns
     -------
-    dict or None
-        By the names in `DEFINITIONS`; None when it is not a foot of that side.
+    MeasuredFoot or None
+        None when it is not a foot of that side.
     """
     try:
         foot = place_foot(mesh, side, frame="reference")
     except (InputError, SideMismatchError):
         return None
-    return measure(foot, find_landmarks(foot))
+    return measure_foot(foot, find_landmarks(foot), is_recorded=True, repeated=repeated)
 
 
-def surface_measures(mesh: TriangleMesh) -> tuple[Side | None, Measured | None]:
+def surface_measures(mesh: TriangleMesh) -> tuple[Side | None, MeasuredFoot | None]:
     """Measure a surface of which nothing is known, if it is a foot, and tell which one.
 
     Parameters
@@ -138,13 +141,16 @@ def surface_measures(mesh: TriangleMesh) -> tuple[Side | None, Measured | None]:
     Returns
     -------
     side : Side or None
-    measures : dict or None
-        By the names in `DEFINITIONS`; None for insoles, moulds, and what looks like no foot.
+    measures : MeasuredFoot or None
+        None for insoles, moulds, and what looks like no foot.
     """
     if not is_one_sided(mesh) and facing(mesh)[2] > 0:
         return None, None
     foot = recognised_foot(mesh)
-    return (None, None) if foot is None else (foot.side, measure(foot, find_landmarks(foot)))
+    if foot is None:
+        return None, None
+    is_recorded = mesh.touches is not None
+    return foot.side, measure_foot(foot, find_landmarks(foot), is_recorded=is_recorded)
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,7 +166,7 @@ class ComparisonSource:
     notes
         Assumptions that were made, one sentence each.
     measures
-        Of a foot, by the names in `DEFINITIONS`; None for anything else.
+        Of a foot; None for anything else.
     side
         The foot that it shows or is for; None where that is not known.
     is_mirrored
@@ -170,7 +176,7 @@ class ComparisonSource:
     name: str
     mesh: TriangleMesh
     notes: tuple[str, ...] = ()
-    measures: Measured | None = None
+    measures: MeasuredFoot | None = None
     side: Side | None = None
     is_mirrored: bool = False
 
@@ -193,6 +199,7 @@ def read_source(
     path: Path,
     progress: Progress = SILENT,
     is_corrected: Callable[[Session], bool] = lambda _: True,
+    repeated: Callable[[Session], Limits] = lambda _: {},
 ) -> ComparisonSource:
     """Read a surface from a mesh file or a session.
 
@@ -203,6 +210,8 @@ def read_source(
     ----------
     is_corrected
         Whether the learnt error of the matching is subtracted for the sensors of a session.
+    repeated
+        What a repeat test of the sensors of a session found.
 
     Raises
     ------
@@ -226,18 +235,19 @@ def read_source(
     side, corrected = session.manifest.one_side, is_corrected(session)
     if len(session.views) > 1:
         mesh = reconstruct(session, "fused", progress, corrected=corrected).mesh
-        return _recorded_foot(path.name, mesh, side)
+        return _recorded_foot(path.name, mesh, side, repeated(session))
     try:
         part = progress.part(0.0, 0.5)
         mesh = reconstruct(session, "fused", part, corrected=corrected).mesh
     except ReconstructionError:
         mesh = one_view_surface(session.views[0], progress.part(0.5, 1.0))
     else:
-        return _recorded_foot(path.name, mesh, side)
+        return _recorded_foot(path.name, mesh, side, repeated(session))
     return ComparisonSource(
         path.name, mesh, ("One view without a reference system: taken as a thing on a table.",)
     )
 
 
-def _recorded_foot(name: str, mesh: TriangleMesh, side: Side) -> ComparisonSource:
-    return ComparisonSource(name, mesh, measures=_recorded_foot_measures(mesh, side), side=side)
+def _recorded_foot(name: str, mesh: TriangleMesh, side: Side, repeated: Limits) -> ComparisonSource:
+    measures = _recorded_foot_measures(mesh, side, repeated)
+    return ComparisonSource(name, mesh, measures=measures, side=side)

@@ -14,6 +14,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from insole_core.compare.difference import (
+    FOOT_MEASURES,
     ComparedMeasure,
     Difference,
     foot_rows,
@@ -22,9 +23,10 @@ from insole_core.compare.difference import (
 )
 from insole_core.export import paper
 from insole_core.export.lettering import with_known_letters
+from insole_core.foot.spread import MeasuredFoot, Spread, explained, spread_text
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.messages import Message, Translate
+from insole_core.messages import Message, Translate, joined
 
 _COLOR_MAP = "RdBu_r"
 _LEAST_RANGE_MM = 0.1
@@ -48,6 +50,10 @@ _MM = "{value:.2f} mm"
 
 def report_json(difference: Difference) -> dict[str, Any]:
     """Return the figures for `json.dump`: docs/formats/comparison.md."""
+    limits = {
+        name: (foot or MeasuredFoot({}, {})).limits_json(FOOT_MEASURES)
+        for name, foot in zip("ab", difference.feet, strict=True)
+    }
     fit = difference.fit
     residual = None if np.isnan(fit.residual_mm) else round(fit.residual_mm, 6)
     return {
@@ -59,6 +65,8 @@ def report_json(difference: Difference) -> dict[str, Any]:
         "fit": {"residual": residual, "share_of_b": round(fit.share, 4)},
         "pixel_mm": difference.grid.pitch_mm,
         "measures": table_3(difference),
+        **{key: {name: limits[name][key] for name in "ab"} for key in ("limits_95", "limits_by")},
+        "within_error": [row.key for row in foot_rows(difference) if row.is_within_error],
     }
 
 
@@ -197,7 +205,11 @@ def write_report(
         (Message("Compared part"), part_rows(difference)),
     ):
         if rows:
-            sections.append((title, {_MEASURES[row.key]: _both(row) for row in rows}))
+            spreads = [s for row in rows for s in (row.a_spread, row.b_spread) if s is not None]
+            facts: dict[str, str] = {_MEASURES[row.key]: _both(row) for row in rows}
+            if spreads:
+                facts[Message("error")] = joined(explained(spreads), "; ")
+            sections.append((title, facts))
     said = [
         (translate(title), {translate(key): translate(text) for key, text in facts.items()})
         for title, facts in sections
@@ -215,7 +227,18 @@ def _fit_text(difference: Difference) -> str:
 
 
 def _both(row: ComparedMeasure) -> str:
-    first, second = (
-        "–" if value is None else Message("{value:.1f} mm", value=value) for value in (row.a, row.b)
-    )
+    first, second = _value(row.key, row.a, row.a_spread), _value(row.key, row.b, row.b_spread)
+    if row.is_within_error:
+        return Message(
+            "{first} and {second}; the difference is within the error", first=first, second=second
+        )
     return Message("{first} and {second}", first=first, second=second)
+
+
+def _value(key: str, value: float | None, spread: Spread | None) -> str:
+    if value is None:
+        return "–"
+    if spread is None:
+        return Message("{value:.1f} mm", value=value)
+    limits = spread_text(key, spread.limits_95)
+    return Message("{value:.1f} {limits} mm", value=value, limits=limits)

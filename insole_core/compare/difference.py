@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from insole_core.compare.best_fit import Fit
 from insole_core.compare.seen_surface import Grid, SeenMesh, facing, grid_over
 from insole_core.errors import InputError
-from insole_core.foot.measure_table import Measured
+from insole_core.foot.spread import MeasuredFoot, Spread
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
 PITCH_MM = 1.0
@@ -44,7 +44,7 @@ class Difference:
     heights_a_mm: FloatArray
     heights_b_mm: FloatArray
     fit: Fit
-    feet: tuple[Measured | None, Measured | None] = (None, None)
+    feet: tuple[MeasuredFoot | None, MeasuredFoot | None] = (None, None)
     b_is_mirrored: bool = False
 
     @cached_property
@@ -116,11 +116,25 @@ def measure_difference(
 
 @dataclass(frozen=True)
 class ComparedMeasure:
-    """One measure of both surfaces, mm; None where a surface has none."""
+    """One measure of both surfaces, mm; None where a surface has none.
+
+    A measure of a foot has its ±; None for the compared part of something else, which is no more
+    than a count of pixels.
+    """
 
     key: str
     a: float | None
     b: float | None
+    a_spread: Spread | None = None
+    b_spread: Spread | None = None
+
+    @property
+    def is_within_error(self) -> bool:
+        """Whether both are feet whose difference is no larger than its known error."""
+        if self.a is None or self.b is None or self.a_spread is None or self.b_spread is None:
+            return False
+        limit = self.a_spread.beside(self.b_spread)
+        return limit is not None and abs(self.a - self.b) <= limit
 
 
 def table_3(difference: Difference) -> dict[str, dict[str, float]]:
@@ -136,14 +150,22 @@ def table_3(difference: Difference) -> dict[str, dict[str, float]]:
     return {
         name: parts[name]
         if foot is None
-        else {key: value for key in FOOT_MEASURES if (value := foot[key]) is not None}
+        else {key: value for key in FOOT_MEASURES if (value := foot.values[key]) is not None}
         for name, foot in zip("ab", difference.feet, strict=True)
     }
 
 
 def foot_rows(difference: Difference) -> list[ComparedMeasure]:
     """Return the measures of the feet among both surfaces; none when neither is a foot."""
-    return _rows(difference, FOOT_MEASURES, of_feet=True)
+    return [
+        replace(row, a_spread=_spread(row.a, a, row.key), b_spread=_spread(row.b, b, row.key))
+        for a, b in [difference.feet]
+        for row in _rows(difference, FOOT_MEASURES, of_feet=True)
+    ]
+
+
+def _spread(value: float | None, foot: MeasuredFoot | None, key: str) -> Spread | None:
+    return None if value is None or foot is None else foot.spread(key)
 
 
 def part_rows(difference: Difference) -> list[ComparedMeasure]:

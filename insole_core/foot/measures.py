@@ -6,8 +6,9 @@ scanned has no measure: it is None, and `MISSING` says why.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -34,6 +35,15 @@ _SPOT_MM, _LEAST_SPOT = 8.0, 0.5  # about a landmark, and share of it that must 
 _SHOE_ALLOWANCE_MM = 15.0
 FOOTINGS = ("heel_centre", "metatarsal_head_1", "metatarsal_head_5")
 PARIS_MM, _ENGLISH_MM, _MONDOPOINT_MM = 20 / 3, 25.4 / 3, 5.0
+SIZES = {
+    "shoe_size_eu": (PARIS_MM, 0.5),
+    "shoe_size_uk": (_ENGLISH_MM, 0.5),
+    "shoe_size_us": (_ENGLISH_MM, 0.5),
+    "mondopoint": (1.0, _MONDOPOINT_MM),
+}
+"""What follows from the length of the foot: mm for each unit, and the steps in which it is told."""
+Measured: TypeAlias = Mapping[str, float | None]
+"""The measures of a foot by name; None for what was not scanned."""
 
 
 @dataclass(frozen=True)
@@ -45,47 +55,71 @@ class Definition:
     unit
         "mm", "degrees" or "" for a ratio or a size.
     text
+    deviation
+        Standard deviation from the measure of the true surface, in its unit, over simulated
+        captures (`benchmarks/measures.py`); None where they do not tell it. What the outlines in
+        the pictures tell of a size takes its place: `deviations_mm`.
+    decimals
+        That are shown.
     positive, negative
         What an angle above and below 0 is called.
     """
 
     unit: str
     text: str
+    deviation: float | None = None
+    decimals: int = 1
     positive: str = ""
     negative: str = ""
 
 
 DEFINITIONS = {
-    "foot_length": Definition("mm", "pternion to the tip of the longest toe, along the foot axis"),
-    "ball_width": Definition("mm", "metatarsale tibiale to metatarsale fibulare, seen from below"),
-    "ball_width_across": Definition("mm", "the same two points, perpendicular to the foot axis"),
-    "ball_length": Definition("mm", "pternion to metatarsale tibiale, along the foot axis"),
-    "heel_width": Definition("mm", "greatest width of the heel at 10 to 22 % of the length"),
+    "foot_length": Definition(
+        "mm", "pternion to the tip of the longest toe, along the foot axis", 0.7
+    ),
+    "ball_width": Definition(
+        "mm", "metatarsale tibiale to metatarsale fibulare, seen from below", 1.0
+    ),
+    "ball_width_across": Definition(
+        "mm", "the same two points, perpendicular to the foot axis", 0.8
+    ),
+    "ball_length": Definition("mm", "pternion to metatarsale tibiale, along the foot axis", 1.6),
+    "heel_width": Definition("mm", "greatest width of the heel at 10 to 22 % of the length", 1.0),
     "ball_girth": Definition("mm", "tape round the foot through the two points of the ball"),
     "instep_height": Definition("mm", "highest dorsal point at half of the foot length"),
-    "arch_height": Definition("mm", "arch apex over the plane of heel, 1st and 5th head"),
-    "arch_height_index": Definition("", "instep height / length from heel to 1st head"),
-    "arch_index": Definition("", "middle third of the toeless footprint / all of it"),
+    "arch_height": Definition("mm", "arch apex over the plane of heel, 1st and 5th head", 0.5),
+    "arch_height_index": Definition("", "instep height / length from heel to 1st head", decimals=2),
+    "arch_index": Definition(
+        "", "middle third of the toeless footprint / all of it", 0.01, decimals=2
+    ),
     "navicular_height": Definition("mm", "navicular, where it is marked, over the ground"),
     "rearfoot_angle_deg": Definition(
         "degrees",
         "bisection of the calcaneus against the Achilles axis; > 0 is valgus",
-        *("valgus", "varus"),
+        1.5,
+        positive="valgus",
+        negative="varus",
     ),
     "achilles_angle_deg": Definition(
         "degrees",
         "Achilles axis against the normal of the sole; > 0 leans medially (valgus)",
-        *("valgus", "varus"),
+        0.8,
+        positive="valgus",
+        negative="varus",
     ),
     "achilles_lean_deg": Definition(
         "degrees",
         "Achilles axis against the upright of the scan; > 0 leans medially",
-        *("medial", "lateral"),
+        0.65,
+        positive="medial",
+        negative="lateral",
     ),
     "forefoot_angle_deg": Definition(
         "degrees",
         "line of the 1st to 5th head against the heel's ground; > 0 is varus",
-        *("varus", "valgus"),
+        0.3,
+        positive="varus",
+        negative="valgus",
     ),
     "shoe_size_eu": Definition("", "Paris points of 6.67 mm, with 15 mm before the toes"),
     "shoe_size_uk": Definition("", "English sizes of 8.47 mm, with 15 mm before the toes"),

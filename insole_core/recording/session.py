@@ -179,6 +179,11 @@ class Session:
     """Manual corrections, which `reconstruct` applies."""
 
     @property
+    def serials(self) -> tuple[str, ...]:
+        """Serial numbers of the sensors, each once, sorted."""
+        return tuple(sorted({view.sensor.serial for view in self.views}))
+
+    @property
     def feet(self) -> tuple[Session, ...]:
         """One session for each captured foot: all views, in the foot's own reference frame."""
         return tuple(self.of_foot(side) for side in self.manifest.sides)

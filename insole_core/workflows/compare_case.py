@@ -28,7 +28,6 @@ from insole_core.compare.comparison_report import (
 from insole_core.compare.difference import Difference
 from insole_core.errors import InputError, UsageError
 from insole_core.files.atomic import replacing_file
-from insole_core.foot.measures import measure
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -36,8 +35,9 @@ from insole_core.geometry.side import Side
 from insole_core.messages import Message, Translate, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.workflows.calibration.correction_choice import is_corrected
-from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.calibration.repeat_tests import repeated_limits_of
 from insole_core.workflows.insole_builder import InsoleBuilder
+from insole_core.workflows.measured_feet import measured_record
 
 _NAMES = {
     (Side.LEFT, "foot"): Message("left foot"),
@@ -103,13 +103,13 @@ def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) 
     Cancelled
     """
     if wanted.path is not None:
-        return read_source(wanted.path, progress, is_corrected)
+        return read_source(wanted.path, progress, is_corrected, repeated_limits_of)
     foot = None if wanted.side is None else record.of_side(wanted.side)
     if foot is None:
         raise InputError("The case has no such foot; open or capture one first.")
     name = _NAMES[foot.side, wanted.kind]
     if wanted.kind == "foot":
-        measures = measure(foot.foot, landmarks_of(foot))
+        measures = measured_record(foot)
         return ComparisonSource(name, foot.foot.mesh, measures=measures, side=foot.side)
     _, solid = InsoleBuilder().solid(foot.foot, foot.design, progress)
     return ComparisonSource(name, solid, side=foot.side)

@@ -149,7 +149,8 @@ class ScannedFoot:
 
 def session_source(path: Path, session: Session) -> ScanSource:
     """Return the scan record of a session that was read from `path`."""
-    return _source("session", path, session.manifest.recorded_at)
+    source = _source("session", path, session.manifest.recorded_at)
+    return replace(source, sensors=tuple(filter(None, session.serials)))
 
 
 def mesh_source(path: Path, form: Form = Form.FOOT) -> ScanSource:

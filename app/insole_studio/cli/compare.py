@@ -128,8 +128,9 @@ def _alignment(given: str | Path, b: ComparisonSource) -> Alignment:
 def _read(path: Path, progress: Progress) -> ComparisonSource:
     from insole_core.compare.comparison import read_source
     from insole_core.workflows.calibration.correction_choice import is_corrected
+    from insole_core.workflows.calibration.repeat_tests import repeated_limits_of
 
-    return read_source(path, progress, is_corrected)
+    return read_source(path, progress, is_corrected, repeated_limits_of)
 
 
 def _say_notes(path: Path, source: ComparisonSource) -> None:

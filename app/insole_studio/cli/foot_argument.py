@@ -124,6 +124,13 @@ def recorded_sides(path: Path) -> tuple[Side, ...]:
 def read_foot(
     path: Path, side: Side | None, arguments: argparse.Namespace, progress: Progress
 ) -> Foot:
+    """Return the foot of a session or a mesh without its scan: see `read_scan`."""
+    return read_scan(path, side, arguments, progress).foot
+
+
+def read_scan(
+    path: Path, side: Side | None, arguments: argparse.Namespace, progress: Progress
+) -> ScannedFoot:
     """Return the foot of a session or a mesh; warnings about it go to stderr.
 
     Parameters
@@ -168,13 +175,13 @@ def read_feet(path: Path, arguments: argparse.Namespace, progress: Progress) -> 
     from insole_core.workflows.open_scan import open_feet
 
     choice = said_of_scan(arguments, force=arguments.force)
-    feet = [_told(one) for one in open_feet(path, choice=choice, progress=progress)]
+    feet = [_told(one).foot for one in open_feet(path, choice=choice, progress=progress)]
     return {foot.side: foot for foot in feet}
 
 
-def _told(scanned: ScannedFoot) -> Foot:
+def _told(scanned: ScannedFoot) -> ScannedFoot:
     for warning in scanned.warnings:
         print(f"Warning: {warning}", file=sys.stderr)
     for note in scanned.foot.notes:
         print(note, file=sys.stderr)
-    return scanned.foot
+    return scanned

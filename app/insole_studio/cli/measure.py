@@ -18,6 +18,8 @@ from insole_studio.cli.path_arguments import OutputPath
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
     from insole_core.foot.measure_table import MeasureRow
+    from insole_core.foot.spread import MeasuredFoot
+    from insole_core.workflows.scanned_feet import ScannedFoot
 
 NAME = "measure"
 HELP = "measure a session or a scanned foot, and find its landmarks"
@@ -46,36 +48,36 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError(f"--csv is {arguments.csv}, but the table is written as .csv.")
     from insole_core.files.atomic import write_text
     from insole_core.files.transaction import Transaction
+    from insole_core.workflows.measured_feet import measured_scan
 
     with Transaction() as outputs:
         report_file = outputs.file(arguments.report)
         csv_file = arguments.csv and outputs.file(arguments.csv)
         feet = _read_feet(arguments, progress.part(0.0, 0.8))
         progress.step(0.8, "Measuring")
-        rows = _table(feet)
-        text = json.dumps(_content(feet, rows), indent=1, ensure_ascii=False)
+        measured = [measured_scan(one) for one in feet]
+        rows = _table(feet, measured)
+        text = json.dumps(_content(feet, measured, rows), indent=1, ensure_ascii=False)
         write_text(text + "\n", report_file)
         if csv_file:
             write_text(_csv(rows), csv_file)
     progress.step(1.0, f"Done: {arguments.report}")
 
 
-def _read_feet(arguments: argparse.Namespace, progress: Progress) -> list[Foot]:
+def _read_feet(arguments: argparse.Namespace, progress: Progress) -> list[ScannedFoot]:
     """Read the foot and, if requested, the other one."""
     side = None if arguments.side is None else Side(arguments.side)
     if arguments.other is None:
-        return [foot_argument.read_foot(arguments.foot, side, arguments, progress)]
-    foot = foot_argument.read_foot(arguments.foot, side, arguments, progress.part(0.0, 0.5))
-    progress = progress.part(0.5, 1.0)
-    return [foot, foot_argument.read_foot(arguments.other, foot.side.other, arguments, progress)]
+        return [foot_argument.read_scan(arguments.foot, side, arguments, progress)]
+    first = foot_argument.read_scan(arguments.foot, side, arguments, progress.part(0.0, 0.5))
+    progress, other = progress.part(0.5, 1.0), first.foot.side.other
+    return [first, foot_argument.read_scan(arguments.other, other, arguments, progress)]
 
 
-def _table(feet: Sequence[Foot]) -> list[MeasureRow]:
-    from insole_core.foot.landmarks import find_landmarks
+def _table(feet: Sequence[ScannedFoot], measured: Sequence[MeasuredFoot]) -> list[MeasureRow]:
     from insole_core.foot.measure_table import measure_table
-    from insole_core.foot.measures import measure
 
-    return measure_table({foot.side: measure(foot, find_landmarks(foot)) for foot in feet})
+    return measure_table({s.foot.side: one for s, one in zip(feet, measured, strict=True)})
 
 
 def _csv(rows: Sequence[MeasureRow]) -> str:
@@ -84,41 +86,48 @@ def _csv(rows: Sequence[MeasureRow]) -> str:
     return table_csv(rows)
 
 
-def _content(feet: Sequence[Foot], rows: Sequence[MeasureRow]) -> dict[str, Any]:
+def _content(
+    feet: Sequence[ScannedFoot], measured: Sequence[MeasuredFoot], rows: Sequence[MeasureRow]
+) -> dict[str, Any]:
     from insole_core.foot.measure_table import unlike_sizes
 
-    content = report(feet[0])
+    content = _report(feet[0].foot, measured[0])
     if len(feet) == 2:
-        content["other"] = report(feet[1])
+        content["other"] = _report(feet[1].foot, measured[1])
         content["asymmetry"] = {
-            row.key: {"difference": round(row.difference, 3), "percent": _rounded(row.percent)}
+            row.key: {
+                "difference": round(row.difference, 3),
+                "percent": _rounded(row.percent),
+                "limits_95": _rounded(row.difference_limits, 3),
+                "within_error": row.is_within_error,
+            }
             for row in rows
             if row.difference is not None
         }
-        left, right = sorted(feet, key=lambda foot: foot.side)
+        left, right = sorted((one.foot for one in feet), key=lambda foot: foot.side)
         if warning := unlike_sizes(left, right):
             content["notes"].append(warning)
             print(f"Warning: {warning}", file=sys.stderr)
     return content
 
 
-def _rounded(value: float | None) -> float | None:
-    return None if value is None else round(value, 2)
+def _rounded(value: float | None, decimals: int = 2) -> float | None:
+    return None if value is None else round(value, decimals)
 
 
-def report(foot: Foot) -> dict[str, Any]:
+def _report(foot: Foot, measured: MeasuredFoot) -> dict[str, Any]:
     """Return measurements in mm and degrees, and landmarks in the frame of the input scan."""
     from insole_core.foot.landmarks import find_landmarks
-    from insole_core.foot.measures import DEFINITIONS, MISSING, deviations_mm, doubts, measure
+    from insole_core.foot.measures import DEFINITIONS, MISSING, deviations_mm, doubts
     from insole_core.geometry.transforms import inverse, transform
 
-    landmarks = find_landmarks(foot)
-    measures = measure(foot, landmarks)
+    landmarks, measures = find_landmarks(foot), measured.values
     insole2source = inverse(foot.source2insole)
     return {
         "side": str(foot.side),
         "unit": "mm",
         "measures": {n: round(v, 3) for n, v in measures.items() if v is not None},
+        **measured.limits_json(measures),
         "landmarks_mm": {
             name: transform(insole2source, mark.point).round(3).tolist()
             for name, mark in landmarks.items()

@@ -119,7 +119,7 @@ def _common_serials(sessions: Sequence[MeasuredSession]) -> tuple[str, ...]:
                 "foot.",
                 path=opened.path,
             )
-    first, *others = (_serials(opened) for opened in sessions)
+    first, *others = (opened.session.serials for opened in sessions)
     for opened, serials in zip(sessions[1:], others, strict=True):
         if serials != first:
             raise UsageError(
@@ -131,10 +131,6 @@ def _common_serials(sessions: Sequence[MeasuredSession]) -> tuple[str, ...]:
                 others=joined(serials),
             )
     return first
-
-
-def _serials(opened: MeasuredSession) -> tuple[str, ...]:
-    return tuple(sorted({view.sensor.serial for view in opened.session.views}))
 
 
 def _captured(opened: MeasuredSession, progress: Progress) -> Capture:

@@ -13,15 +13,15 @@ from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.days import read_day
 from insole_core.errors import Conflict, RecordsError
 from insole_core.export.shop_order import OrderTerms
-from insole_core.foot.measures import DEFINITIONS, measure
 from insole_core.geometry.side import Side
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
 from insole_core.records.record_field import FieldChoice, merge_fields, settle_fields
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.records.visit_measures import measured_anew, measures_to_store
 from insole_core.records.visits import patient_of
-from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.measured_feet import measured_feet
 
 _PATIENT: Final = tuple(field.name for field in fields(Patient))
 _TERMS: Final = tuple(field.name for field in fields(OrderTerms))
@@ -161,7 +161,7 @@ def _keep_visit(records: Records, visit: Visit, patient: Patient, change: CaseCh
     terms = _merged_terms(change, visit.terms)
     visit = replace(visit, visited_on=day, findings=patient.notes, terms=terms)
     if change.bases:
-        measures = {**visit.measures, **visit_measures(change.now.feet)}
+        measures = measured_anew(visit.measures, visit_measures(change.now.feet))
         visit = replace(visit, measures=measures, capture_state=CaptureState.DONE)
     return records.visits.change(visit, visit.revision)
 
@@ -214,19 +214,9 @@ def add_case(records: Records, case: CaseRecord, person_id: str = "") -> Visit:
     return visit
 
 
-_UNIT = {"mm": "_mm", "degrees": "", "": ""}
-"""What a key of the record ends with; names of angles already end so."""
-
-
 def visit_measures(feet: Iterable[FootRecord]) -> dict[str, float]:
-    """Return the measures of feet by side, name and unit: ``left_foot_length_mm``.
+    """Return the measures of feet, with their ±, as a visit stores them.
 
     Measures that a scan does not show are left out, and feet that were not scanned on this visit.
     """
-    return {
-        f"{foot.side}_{key}{_UNIT[DEFINITIONS[key].unit]}": round(value, 3)
-        for foot in feet
-        if not foot.foot.mirrored and not foot.foot.scanned_on
-        for key, value in measure(foot.foot, landmarks_of(foot)).items()
-        if value is not None
-    }
+    return measures_to_store(measured_feet(foot for foot in feet if not foot.foot.scanned_on))

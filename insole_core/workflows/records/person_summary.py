@@ -13,6 +13,8 @@ from matplotlib.figure import Figure
 from insole_core.cases.case_record import Variant
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table
 from insole_core.export.paper import paper_texts
+from insole_core.foot.measures import DEFINITIONS
+from insole_core.foot.spread import explained, spread_text
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
@@ -27,6 +29,7 @@ from insole_core.records.photo import Photo
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.record_field import told_fields
 from insole_core.records.visit import Visit
+from insole_core.records.visit_measures import StoredMeasure, stored_measures
 from insole_core.solids.checks import survey_side
 from insole_core.workflows.records.person_dossier import PersonDossier, VisitDossier
 
@@ -180,10 +183,9 @@ def _visit_section(
             lines += _prescription_lines(picture.variant, version, dossier, texts)
     lines += [line for capture in dossier.captures for line in _capture_lines(capture, texts)]
     lines += [line for photo in dossier.photos for line in _photo_lines(photo, texts)]
-    rows = tuple(
-        (_measure_name(name, texts), texts.translate(Message("{value:g}", value=value)))
-        for name, value in visit.measures.items()
-    )
+    measures = stored_measures(visit.measures)
+    rows = tuple((_measure_name(one, texts), _measure_text(one, texts)) for one in measures)
+    lines += [texts.translate(said) for said in explained(one.spread for one in measures)]
     tables = (Table(texts["measures"], (texts["measure"], texts["value"]), rows),) if rows else ()
     plots = (_plot(pictures, texts),) if pictures else ()
     title = texts["visit"].replace("{day}", day)
@@ -267,12 +269,20 @@ def _order_lines(order: Order, texts: _Texts) -> list[str]:
     return [", ".join(filter(None, head)), *(line for lines in events for line in lines)]
 
 
-def _measure_name(key: str, texts: _Texts) -> str:
+def _measure_name(measure: StoredMeasure, texts: _Texts) -> str:
     """Return the name of a measure such as ``left_foot_length_mm``."""
-    side, _, name = key.partition("_")
-    unit = ", mm" if name.endswith("_mm") else ""
-    name = name.removesuffix("_mm").replace("_", " ")
-    return f"{texts.translate(side)}, {texts.translate(name)}{unit}"
+    unit = ", mm" if measure.key.endswith("_mm") else ""
+    name = texts.translate(measure.key.removesuffix("_mm").replace("_", " "))
+    side = "" if measure.side is None else f"{texts.translate(str(measure.side))}, "
+    return f"{side}{name}{unit}"
+
+
+def _measure_text(measure: StoredMeasure, texts: _Texts) -> str:
+    value = Message("{value:g}", value=measure.value)
+    if measure.name not in DEFINITIONS:
+        return texts.translate(value)
+    limits = spread_text(measure.name, measure.spread.limits_95)
+    return texts.translate(Message("{value} {limits}", value=value, limits=limits))
 
 
 def _lines(head: str, text: str) -> list[str]:

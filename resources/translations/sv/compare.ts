@@ -8,6 +8,10 @@
             <translation>A över B</translation>
         </message>
         <message>
+            <source>A − B {apart} mm: within the error</source>
+            <translation>A − B {apart} mm: inom felet</translation>
+        </message>
+        <message>
             <source>As they lie</source>
             <translation>Som de ligger</translation>
         </message>

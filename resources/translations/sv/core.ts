@@ -5432,6 +5432,10 @@
             <translation>raderad</translation>
         </message>
         <message>
+            <source>error</source>
+            <translation>fel</translation>
+        </message>
+        <message>
             <source>export patients</source>
             <translation>exportera patienter</translation>
         </message>
@@ -8412,6 +8416,10 @@
             <translation>{first} och {second}</translation>
         </message>
         <message>
+            <source>{first} and {second}; the difference is within the error</source>
+            <translation>{first} och {second}; skillnaden är inom felet</translation>
+        </message>
+        <message>
             <source>{first} was captured with the sensors {serials}, but {other} with {others}; prove each set of sensors on its own.</source>
             <translation>{first} spelades in med sensorerna {serials} men {other} med {others}; prova varje uppsättning sensorer för sig.</translation>
         </message>
@@ -9596,6 +9604,10 @@
             <translation>{value:.1f} mm</translation>
         </message>
         <message>
+            <source>{value:.1f} {limits} mm</source>
+            <translation>{value:.1f} {limits} mm</translation>
+        </message>
+        <message>
             <source>{value:.2f} mm</source>
             <translation>{value:.2f} mm</translation>
         </message>
@@ -9642,6 +9654,10 @@
         <message>
             <source>{value} over the floor</source>
             <translation>{value} över golvet</translation>
+        </message>
+        <message>
+            <source>{value} {limits}</source>
+            <translation>{value} {limits}</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>
@@ -9736,8 +9752,28 @@
             <translation>{zone}: {percent:.0f} %</translation>
         </message>
         <message>
+            <source>± ?: not known, as of another scanner's file</source>
+            <translation>± ?: inte känt, som för en annan skanners fil</translation>
+        </message>
+        <message>
+            <source>± {limits:.1f}</source>
+            <translation>± {limits:.1f}</translation>
+        </message>
+        <message>
+            <source>± {limits:.2f}</source>
+            <translation>± {limits:.2f}</translation>
+        </message>
+        <message>
             <source>± {number} mm</source>
             <translation>± {number} mm</translation>
+        </message>
+        <message>
+            <source>±: 95 % limits, by simulated captures</source>
+            <translation>±: 95 %-gränser, enligt simulerade avbildningar</translation>
+        </message>
+        <message>
+            <source>±: 95 % limits, by the repeat test of this place</source>
+            <translation>±: 95 %-gränser, enligt den här mätplatsens upprepningsprov</translation>
         </message>
         <message>
             <source>“{zone}”</source>

@@ -508,6 +508,10 @@
             <translation>Från skanning till skriven fil, på exemplet; igen för att nå dess bubbla</translation>
         </message>
         <message>
+            <source>From the first to the last visit; ±: 95 % limits of a change</source>
+            <translation>Från första till sista besöket; ±: 95 %-gränser för en ändring</translation>
+        </message>
+        <message>
             <source>Front edge {distance} mm behind the metatarsal heads</source>
             <translation>Framkanten {distance} mm bakom metatarsalhuvudena</translation>
         </message>
@@ -518,6 +522,10 @@
         <message>
             <source>Graphics, sensors, disk, settings and record, with advice</source>
             <translation>Grafik, sensorer, disk, inställningar och journal, med råd</translation>
+        </message>
+        <message>
+            <source>Grey difference: within the error</source>
+            <translation>Grå skillnad: inom felet</translation>
         </message>
         <message>
             <source>Heel centre</source>
@@ -546,6 +554,10 @@
         <message>
             <source>Here is the scanned foot; the landmarks on its skin were found. Choose “Landmarks” to see and correct them.</source>
             <translation>Här är den skannade foten; landmärkena på huden är hittade. Välj ”Landmärken” för att se och rätta dem.</translation>
+        </message>
+        <message>
+            <source>How far the values of both feet may be off: 95 % limits</source>
+            <translation>Hur långt fötternas värden kan ligga fel: 95 %-gränser</translation>
         </message>
         <message>
             <source>Identify</source>
@@ -1630,6 +1642,10 @@
         <message>
             <source>warm in {minutes:.0f} min</source>
             <translation>varm om {minutes:.0f} min</translation>
+        </message>
+        <message>
+            <source>{change}: within the error</source>
+            <translation>{change}: inom felet</translation>
         </message>
         <message>
             <source>{fps:.0f} frames/s, {lost} lost</source>

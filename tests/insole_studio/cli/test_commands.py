@@ -357,8 +357,12 @@ def test_both_feet_are_measured_with_their_asymmetry(right_foot: Path, tmp_path:
     length = content["asymmetry"]["foot_length"]
     assert length["difference"] == pytest.approx(left - right, abs=2e-3)
     assert length["percent"] == pytest.approx(200 * (left - right) / (left + right), abs=0.01)
+    assert content["limits_by"]["foot_length"] == "simulation"
+    assert content["other"]["limits_by"]["foot_length"] == "unknown"  # a file says nothing of it
+    assert 0.5 < content["limits_95"]["foot_length"] < 3
+    assert length["limits_95"] is length["within_error"] is None
     head, first, *_ = table.read_text().splitlines()
-    assert head == "measure,unit,left,right,difference,percent,positive"
+    assert head.startswith("measure,unit,left,right,difference,percent,positive,left_limits_95,")
     assert first == f"foot_length,mm,{left:.3f},{right:.3f},{first.split(',', 4)[4]}"
 
 

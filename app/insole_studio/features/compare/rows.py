@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from insole_core.compare.difference import Difference, foot_rows, part_rows
-from insole_studio.texts import localised, tr
+from insole_core.compare.difference import ComparedMeasure, Difference, foot_rows, part_rows
+from insole_core.foot.spread import Spread, explained, spread_text
+from insole_studio.texts import fill, localised, tr, translate_core_message
 
 FILE, FOLDER = "file", "folder"
 """Keys of the choices that ask for a path."""
@@ -14,11 +15,15 @@ FILE, FOLDER = "file", "folder"
 
 @dataclass(frozen=True)
 class FigureRow:
-    """A row of the table: label, first and second number; a heading has no numbers."""
+    """A row of the table: label, first and second number; a heading has no numbers.
+
+    What is quiet stands in grey.
+    """
 
     text: str
     first: str = ""
     second: str = ""
+    is_quiet: bool = False
 
 
 @dataclass(frozen=True)
@@ -71,9 +76,28 @@ def figure_rows(difference: Difference) -> tuple[FigureRow, ...]:
     ):
         if measures:
             rows.append(FigureRow(heading, "A", "B"))
-            rows += [FigureRow(MEASURES[m.key](), _mm(m.a), _mm(m.b)) for m in measures]
+            rows += [row for measure in measures for row in _measure_rows(measure)]
+            spreads = [s for m in measures for s in (m.a_spread, m.b_spread) if s is not None]
+            rows += [
+                FigureRow(translate_core_message(line), is_quiet=True)
+                for line in explained(spreads)
+            ]
     return tuple(rows)
 
 
-def _mm(value: float | None) -> str:
-    return "–" if value is None else f"{localised(value)} mm"
+def _measure_rows(measure: ComparedMeasure) -> Iterator[FigureRow]:
+    """Yield a row of a measure, and one of a difference that says nothing."""
+    first = _mm(measure.key, measure.a, measure.a_spread)
+    second = _mm(measure.key, measure.b, measure.b_spread)
+    yield FigureRow(MEASURES[measure.key](), first, second)
+    if measure.is_within_error and measure.a is not None and measure.b is not None:
+        apart = localised(measure.a - measure.b, "+z.1f")
+        yield FigureRow(fill(tr("A − B {apart} mm: within the error"), apart=apart), is_quiet=True)
+
+
+def _mm(key: str, value: float | None, spread: Spread | None) -> str:
+    if value is None:
+        return "–"
+    if spread is None:
+        return f"{localised(value)} mm"
+    return f"{localised(value)} {translate_core_message(spread_text(key, spread.limits_95))}"

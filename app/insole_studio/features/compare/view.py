@@ -157,6 +157,9 @@ class CompareView(QWidget):
         """Show the statistics; rows without numbers are headings."""
         remove_widgets(self.figures)
         for number, row in enumerate(rows):
+            if row.is_quiet:
+                self._add_remark(number, row.text)
+                continue
             heading = not row.first or row.first == "A"
             for column, text in enumerate((row.text, row.first, row.second)):
                 label = QLabel(text)
@@ -164,6 +167,12 @@ class CompareView(QWidget):
                 if column:
                     label.setAlignment(Qt.AlignmentFlag.AlignRight)
                 self.figures.addWidget(label, number, column)
+
+    def _add_remark(self, number: int, text: str) -> None:
+        remark = QLabel(text)
+        remark.setObjectName("quiet")
+        remark.setWordWrap(True)
+        self.figures.addWidget(remark, number, 0, 1, 3)
 
     def show_picking(self, on: bool, hint: str) -> None:
         """Enable or disable picking points, and show a hint."""

@@ -11,8 +11,9 @@ from insole_core.geometry.side import Side
 class Measure:
     """One measure with its display texts; `tip` is its definition.
 
-    `values` holds one number, or left, right, their difference and the difference in per cent;
-    `key` identifies the measure if its place can be shown.
+    `values` holds one number, or left, right, their ±, their difference and the difference in per
+    cent; none for a line that explains the others. `key` identifies the measure if its place can
+    be shown.
     """
 
     name: str
@@ -20,6 +21,7 @@ class Measure:
     unit: str = ""
     tip: str = ""
     key: str = ""
+    is_within_error: bool = False
 
 
 @dataclass(frozen=True)

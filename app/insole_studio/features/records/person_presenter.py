@@ -24,6 +24,7 @@ from insole_core.records.record_field import (
     settle_fields,
 )
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.records.visit_measures import stored_measures
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_form import label_of, shown_texts
@@ -329,31 +330,23 @@ def _version_line(version: VersionSummary) -> str:
 
 def trends_of(visits: Sequence[Visit]) -> list[Trend]:
     """Return each measure that two or more visits have, over their days, oldest first."""
-    found: dict[tuple[str, Side | None], list[tuple[str, float]]] = {}
+    found: dict[tuple[str, Side | None], list[tuple[str, float, float | None]]] = {}
     for visit in sorted(visits, key=lambda visit: visit.visited_on):
         day = visit.visited_on.isoformat()
-        for key, value in visit.measures.items():
-            side, measure = _side_and_measure(key)
-            name = _names().get(measure)
+        for one in stored_measures(visit.measures):
+            name = _names().get(one.key)
             if name is not None:
-                found.setdefault((name, side), []).append((day, value))
+                point = (day, one.value, one.spread.limits_95)
+                found.setdefault((name, one.side), []).append(point)
         if visit.weight_kg is not None:
-            found.setdefault((label_of(Visit, "weight_kg"), None), []).append(
-                (day, visit.weight_kg)
-            )
+            weight = (label_of(Visit, "weight_kg"), None)
+            found.setdefault(weight, []).append((day, visit.weight_kg, None))
     return [
-        Trend(name, tuple(day for day, _ in points), tuple(value for _, value in points), side)
+        Trend(name, days, values, side, limits)
         for (name, side), points in found.items()
         if len(points) > 1
+        for days, values, limits in [tuple(zip(*points, strict=True))]
     ]
-
-
-def _side_and_measure(key: str) -> tuple[Side | None, str]:
-    """Return side and measure of a key such as "left_length_mm"."""
-    for side in Side:
-        if key.startswith(f"{side}_"):
-            return side, key.removeprefix(f"{side}_")
-    return None, key
 
 
 def _names() -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import date
@@ -23,7 +24,7 @@ from insole_core.records.order import (
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.record_field import Lines, listed_fields, told_fields
 from insole_core.records.visit import CaptureState, Visit, VisitSummary
-from insole_studio.texts import moment_text, tr, translate_core_message
+from insole_studio.texts import localised, moment_text, tr, translate_core_message
 from insole_studio.widgets.row_table import Sorting, TableRow
 
 COLUMNS: Final[tuple[OrderKey, ...]] = (
@@ -198,12 +199,47 @@ class PictureKey:
 
 @dataclass(frozen=True)
 class Trend:
-    """A measure over time: its name with the unit, and a value for each of its days, ISO 8601."""
+    """A measure over time: its name with the unit, and a value for each of its days, ISO 8601.
+
+    `limits` are half of the 95 % limits of each value; none where they are not known.
+    """
 
     name: str
     days: tuple[str, ...]
     values: tuple[float, ...]
     side: Side | None = None
+    limits: tuple[float | None, ...] = ()
+
+    @property
+    def change(self) -> float:
+        """The last value minus the first one."""
+        return self.values[-1] - self.values[0]
+
+    @property
+    def change_limit(self) -> float | None:
+        """How far the change may be off; None where not known."""
+        ends = (self.limits[0], self.limits[-1]) if self.limits else (None, None)
+        return None if None in ends else math.hypot(*(limit or 0.0 for limit in ends))
+
+    @property
+    def is_within_error(self) -> bool:
+        """Whether the change is no larger than its known error."""
+        return self.change_limit is not None and abs(self.change) <= self.change_limit
+
+    @property
+    def change_text(self) -> str:
+        """The change from the first to the last visit, with its ±."""
+        change = localised(self.change, "+z.1f")
+        if self.change_limit is not None:
+            change = f"{change} ± {localised(self.change_limit)}"
+        if self.is_within_error:
+            change = tr("{change}: within the error").format(change=change)
+        return f"{self.side_text} {change}".strip()
+
+    @property
+    def side_text(self) -> str:
+        """The side; empty for what both feet have in common."""
+        return "" if self.side is None else tr("LEFT") if self.side is Side.LEFT else tr("RIGHT")
 
 
 def state_text(state: OrderState) -> str:

@@ -7,7 +7,7 @@ from datetime import date
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from insole_core.geometry.side import Side
 from insole_studio.features.records.rows import Trend
@@ -20,6 +20,8 @@ LEFT_PX, RIGHT_PX, TOP_PX, BOTTOM_PX = 40.0, 12.0, 10.0, 20.0
 DOT_PX = 3.0
 LEAST_SPAN = 2.0
 """Of the values: a change of a tenth of a millimetre must not look like a fall."""
+_BAR_PX = 4.0
+"""Half of the width of the ends of an error bar."""
 
 
 class TrendChart(QWidget):
@@ -31,11 +33,15 @@ class TrendChart(QWidget):
         self.measures.setAccessibleName(tr("Measure over time"))
         self.measures.currentIndexChanged.connect(self._show_chosen)
         self.plot = _Plot()
+        self.changes = {side: QLabel() for side in (None, *Side)}
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
         layout.addWidget(self.measures)
         layout.addWidget(self.plot)
+        for label in self.changes.values():
+            label.setToolTip(tr("From the first to the last visit; ±: 95 % limits of a change"))
+            layout.addWidget(label)
         self._trends: tuple[Trend, ...] = ()
 
     def show_trends(self, trends: Sequence[Trend]) -> None:
@@ -55,7 +61,15 @@ class TrendChart(QWidget):
 
     def _show_chosen(self) -> None:
         name = self.measures.currentData()
-        self.plot.show_lines([trend for trend in self._trends if trend.name == name])
+        lines = [trend for trend in self._trends if trend.name == name]
+        self.plot.show_lines(lines)
+        shown = {trend.side: trend for trend in lines}
+        for side, label in self.changes.items():
+            label.setVisible(side in shown)
+            if side in shown:
+                label.setText(shown[side].change_text)
+                label.setObjectName("quiet" if shown[side].is_within_error else "")
+                label.style().polish(label)  # the style sheet depends on the name
 
 
 class _Plot(QWidget):
@@ -74,7 +88,8 @@ class _Plot(QWidget):
         """Show the lines of one measure."""
         self._lines = lines
         ends = (
-            f"{_side_name(line.side)} {localised(line.values[0])} → {localised(line.values[-1])}"
+            f"{line.side_text} {localised(line.values[0])} → {localised(line.values[-1])}, "
+            f"{line.change_text}"
             for line in lines
         )
         self.setAccessibleDescription("; ".join(ends))
@@ -92,7 +107,7 @@ class _Plot(QWidget):
             self.width() - LEFT_PX - RIGHT_PX,
             self.height() - TOP_PX - BOTTOM_PX,
         )
-        values = [value for line in self._lines for value in line.values]
+        values = [end for line in self._lines for ends in _bars(line) for end in ends]
         days = [_number(day) for line in self._lines for day in line.days]
         middle, span = (min(values) + max(values)) / 2, max(max(values) - min(values), LEAST_SPAN)
         low, high = middle - 0.6 * span, middle + 0.6 * span
@@ -109,6 +124,9 @@ class _Plot(QWidget):
         for line in self._lines:
             points = [place(day, value) for day, value in zip(line.days, line.values, strict=True)]
             color = QColor(COLORS[line.side]) if line.side else self.palette().text().color()
+            painter.setPen(QPen(color, 1))
+            for day, (least, most) in zip(line.days, _bars(line), strict=True):
+                _draw_bar(painter, place(day, least), place(day, most))
             painter.setPen(QPen(color, 2))
             painter.drawPolyline(points)
             painter.setBrush(color)
@@ -138,9 +156,22 @@ class _Plot(QWidget):
             painter.drawText(below, Qt.AlignmentFlag.AlignRight, days[-1])
 
 
+def _bars(line: Trend) -> list[tuple[float, float]]:
+    """Return the least and the greatest value that each visit's may stand for."""
+    limits = line.limits or (None,) * len(line.values)
+    return [
+        (value - (limit or 0.0), value + (limit or 0.0))
+        for value, limit in zip(line.values, limits, strict=True)
+    ]
+
+
+def _draw_bar(painter: QPainter, low: QPointF, high: QPointF) -> None:
+    if low == high:
+        return
+    painter.drawLine(low, high)
+    for end in (low, high):
+        painter.drawLine(end - QPointF(_BAR_PX, 0), end + QPointF(_BAR_PX, 0))
+
+
 def _number(day: str) -> int:
     return date.fromisoformat(day).toordinal()
-
-
-def _side_name(side: Side | None) -> str:
-    return "" if side is None else tr("LEFT") if side is Side.LEFT else tr("RIGHT")

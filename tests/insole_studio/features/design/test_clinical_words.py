@@ -188,13 +188,13 @@ def test_the_list_has_the_precision_of_the_fields_and_no_signs(correction: Any, 
 
 
 @pytest.mark.parametrize(
-    ("angle", "text"), [(-9.2, "9.2° varus"), (3.04, "3.0° valgus"), (0.04, "0.0°")]
+    ("angle", "text"), [(-9.2, "9.2 ± ?° varus"), (3.04, "3.0 ± ?° valgus"), (0.04, "0.0 ± ?°")]
 )
 def test_the_rearfoot_is_in_varus_or_valgus(
     opened: Application, monkeypatch: pytest.MonkeyPatch, angle: float, text: str
 ) -> None:
     monkeypatch.setattr(
-        "insole_studio.features.design.patient.measure_texts.measure",
+        "insole_core.foot.spread.measure",
         lambda _foot, _landmarks: {"foot_length": 250.0, "rearfoot_angle_deg": angle},
     )
     measures = measures_of(opened.case.record)
@@ -208,10 +208,10 @@ def test_a_swedish_angle_leans_to_its_side(
     opened: Application, swedish: Callable[[str], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        "insole_studio.features.design.patient.measure_texts.measure",
+        "insole_core.foot.spread.measure",
         lambda _foot, _landmarks: {"achilles_lean_deg": -3.04, "rearfoot_angle_deg": 2.0},
     )
     said = {m.key: m.values for m in measures_of(opened.case.record)}
-    assert said["achilles_lean_deg"] == ("3,0° lateralt",)
-    assert said["rearfoot_angle_deg"] == ("2,0° valgus",)
+    assert said["achilles_lean_deg"] == ("3,0 ± ?° lateralt",)
+    assert said["rearfoot_angle_deg"] == ("2,0 ± ?° valgus",)
     assert swedish("lateral") == "lateral"

@@ -455,12 +455,23 @@ def test_measures_over_time_are_plotted(
 ) -> None:
     for days, length_mm in ((365, 250.0), (30, 252.0)):
         day = date.today() - timedelta(days=days)
-        measures = {"left_foot_length_mm": length_mm, "right_foot_length_mm": length_mm + 1}
+        measures = {
+            "left_foot_length_mm": length_mm,
+            "left_foot_length_mm_limits_95_by_repeat_test": 1.2,
+            "right_foot_length_mm": length_mm / 2 + 125,
+            "right_foot_length_mm_limits_95_by_simulation": 1.5,
+            "left_heel_width_mm": length_mm - 170,  # as of before the ± were stored
+        }
         records.visits.add(Visit(visit.person_id, day, measures=measures))
     qtbot.waitUntil(page.chart.isVisible)
     assert page.chart.measures.currentText() == "Foot length (mm)"
     said = page.chart.plot.accessibleDescription()
-    assert said == "LEFT 250.0 → 252.0; RIGHT 251.0 → 253.0"
+    changes = ["LEFT +2.0 ± 1.7", "RIGHT +1.0 ± 2.1: within the error"]
+    assert said == f"LEFT 250.0 → 252.0, {changes[0]}; RIGHT 250.0 → 251.0, {changes[1]}"
+    shown = [label.text() for label in page.chart.changes.values() if label.isVisible()]
+    assert shown == changes
+    page.chart.measures.setCurrentText("Heel width (mm)")
+    assert page.chart.plot.accessibleDescription() == "LEFT 80.0 → 82.0, LEFT +2.0"
 
 
 def test_a_follow_up_is_added(

@@ -15,7 +15,7 @@ from insole_studio.widgets.layouts import remove_widgets
 from insole_studio.widgets.side_switch import side_letter
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_BOTH = 4
+_LIMITS, _DIFFERENCE, _BOTH = 3, 4, 5
 
 
 class MeasureGrid(QWidget):
@@ -51,13 +51,18 @@ class MeasureGrid(QWidget):
         self._grid.addWidget(unit, 0, 0)
         difference = QLabel(tr("L − R"))
         difference.setToolTip(tr("Left minus right"))
+        limits = QLabel("±")
+        limits.setToolTip(tr("How far the values of both feet may be off: 95 % limits"))
         percent = QLabel("%")
         percent.setToolTip(tr("The difference in per cent of the mean of both"))
-        heads = (side_letter(Side.LEFT), side_letter(Side.RIGHT), difference, percent)
+        heads = (side_letter(Side.LEFT), side_letter(Side.RIGHT), limits, difference, percent)
         for column, head in enumerate(heads, 1):
             self._grid.addWidget(head, 0, column, _RIGHT)
 
     def _add(self, row: int, measure: Measure) -> None:
+        if not measure.values:
+            self._add_explanation(row, measure.name)
+            return
         both = len(measure.values) == _BOTH
         is_angle = both and measure.unit == "°"
         name = self._name(f"{measure.name} (°)" if is_angle else measure.name, measure.key)
@@ -69,9 +74,15 @@ class MeasureGrid(QWidget):
             number = QLabel(text)
             number.setToolTip(measure.tip)
             number.setAlignment(_RIGHT)  # also of two lines
-            if column > _BOTH - 2:
+            if column in (_LIMITS, _BOTH) or (column == _DIFFERENCE and measure.is_within_error):
                 number.setObjectName("quiet")
             self._grid.addWidget(number, row, column, _RIGHT)
+
+    def _add_explanation(self, row: int, words: str) -> None:
+        told = QLabel(words)
+        told.setObjectName("quiet")
+        told.setWordWrap(True)
+        self._grid.addWidget(told, row, 0, 1, -1)
 
     def _name(self, words: str, key: str) -> QLabel:
         """Return the label of a measure, a link if its place can be shown."""

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measure_table import MeasureRow, measure_table
-from insole_core.foot.measures import DEFINITIONS, MISSING, doubts, measure
+from insole_core.foot.measures import DEFINITIONS, MISSING, NOT_MARKED, doubts
+from insole_core.foot.spread import EXPLAINED, Spread, explained, spread_text
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
 from insole_core.workflows.foot_landmarks import landmarks_of
+from insole_core.workflows.measured_feet import measured_feet
 from insole_studio.features.design.rows import Measure
 from insole_studio.features.design.tools.key_point_tool import distances
 from insole_studio.scene.view_camera import Preset
@@ -81,24 +83,32 @@ _PLACES: dict[str, tuple[tuple[str, ...], Preset]] = {
 
 def table_of(record: CaseRecord) -> list[MeasureRow]:
     """Return the measures of all feet of a case as table rows."""
-    return measure_table(_measured(record))
+    return measure_table(measured_feet(record.feet))
 
 
 def measures_of(record: CaseRecord) -> list[Measure]:
-    """Return all measures: of one foot, or of both with their asymmetry."""
+    """Return all measures, of one foot or of both with their asymmetry, and what their ± is."""
     if not record.feet:
         return []
-    doubtful = {foot.side: doubts(landmarks_of(foot)) for foot in _scanned(record)}
-    return [_measure(row, doubtful) for row in measure_table(_measured(record), with_missing=True)]
+    doubtful = {
+        foot.side: doubts(landmarks_of(foot)) for foot in record.feet if not foot.foot.mirrored
+    }
+    rows = measure_table(measured_feet(record.feet), with_missing=True)
+    measures = [_measure(row, doubtful) for row in rows]
+    if any(measure.is_within_error for measure in measures):
+        measures.append(Measure(tr("Grey difference: within the error"), (), is_within_error=True))
+    return [*measures, *_explained(rows)]
 
 
-def _measured(record: CaseRecord) -> dict[Side, dict[str, float | None]]:
-    return {foot.side: measure(foot.foot, landmarks_of(foot)) for foot in _scanned(record)}
-
-
-def _scanned(record: CaseRecord) -> list[FootRecord]:
-    """Return the feet that have measures of their own: a mirror image has none."""
-    return [foot for foot in record.feet if not foot.foot.mirrored]
+def _explained(rows: Sequence[MeasureRow]) -> list[Measure]:
+    """Return a line for each source of the ± that stand beside values."""
+    shown = (
+        spread
+        for row in rows
+        for value, spread in _told(row).values()
+        if value is not None and row.key not in NOT_MARKED
+    )
+    return [Measure(translate_core_message(line), ()) for line in explained(shown)]
 
 
 def distances_of(record: CaseRecord) -> list[Measure]:
@@ -109,7 +119,8 @@ def distances_of(record: CaseRecord) -> list[Measure]:
         value = localised(distance)
         values: tuple[str, ...] = (value,)
         if len(record.feet) == 2:
-            values = (value, "", "", "") if record.side is Side.LEFT else ("", value, "", "")
+            empty = ("", "", "")
+            values = (value, "", *empty) if record.side is Side.LEFT else ("", value, *empty)
         rows.append(Measure(f"{a} – {b}", values, "mm"))
     return rows
 
@@ -124,45 +135,75 @@ def _measure(row: MeasureRow, doubtful: Mapping[Side, Mapping[str, str]]) -> Mea
         Why measures are uncertain, by the sides that the case has.
     """
     both = len(doubtful) == 2
-    found = {side: value for side, value in _sides(row).items() if side in doubtful}
+    found = {side: told for side, told in _told(row).items() if side in doubtful}
     doubt = [
-        doubtful[s][row.key] for s, v in found.items() if v is not None and row.key in doubtful[s]
+        doubtful[s][row.key]
+        for s, (value, _) in found.items()
+        if value is not None and row.key in doubtful[s]
     ]
-    missing = [MISSING[row.key]] if None in found.values() else []
-    texts = [_side_text(row, value, row.key in doubtful[s], both) for s, value in found.items()]
+    is_missing = any(value is None for value, _ in found.values())
+    missing = [MISSING[row.key]] if is_missing else []
+    texts = [
+        _side_text(row, value, spread, row.key in doubtful[s], both)
+        for s, (value, spread) in found.items()
+    ]
     if both:
-        texts += [_number(row.difference, _decimals(row), "+"), _number(row.percent, 0, "+")]
+        difference = _number(row.difference, _decimals(row), "+")
+        texts += [_wider(row), difference, _number(row.percent, 0, "+")]
     name = _NAMES[row.key]() if row.key in _NAMES else row.key
     unit = {"degrees": "°", "mm": "mm"}.get(row.unit, "")
     if not both and (missing or row.unit == "degrees"):
         unit = ""  # the text says it
-    said = (DEFINITIONS[row.key].text, *dict.fromkeys((*doubt, *missing)))
+    told = [EXPLAINED[spread.source] for value, spread in found.values() if value is not None]
+    said = (DEFINITIONS[row.key].text, *dict.fromkeys((*doubt, *missing, *told)))
     tip = "\n".join(map(translate_core_message, said))
-    return Measure(name, tuple(texts), unit, tip, row.key)
+    is_within_error = both and bool(row.is_within_error)
+    return Measure(name, tuple(texts), unit, tip, row.key, is_within_error)
 
 
-def _sides(row: MeasureRow) -> dict[Side, float | None]:
-    return {Side.LEFT: row.left, Side.RIGHT: row.right}
+def _told(row: MeasureRow) -> dict[Side, tuple[float | None, Spread]]:
+    return {Side.LEFT: (row.left, row.left_spread), Side.RIGHT: (row.right, row.right_spread)}
 
 
-def _side_text(row: MeasureRow, value: float | None, is_doubtful: bool, both: bool) -> str:
+def _side_text(
+    row: MeasureRow, value: float | None, spread: Spread, is_doubtful: bool, both: bool
+) -> str:
     if value is None:
         return _NONE if both else tr("not scanned")
-    text = _angle(row, value, both) if row.unit == "degrees" else _number(value, _decimals(row))
+    limits = "" if both else f" {_limits(row, spread.limits_95)}"
+    text = (
+        _angle(row, value, limits, both)
+        if row.unit == "degrees"
+        else f"{_number(value, _decimals(row))}{limits}"
+    )
     return f"{_ABOUT} {text}" if is_doubtful else text
 
 
-def _angle(row: MeasureRow, value: float, both: bool) -> str:
+def _limits(row: MeasureRow, limits_95: float | None) -> str:
+    return translate_core_message(spread_text(row.key, limits_95))
+
+
+def _wider(row: MeasureRow) -> str:
+    """Return the wider ± of both feet, without its sign, which heads the column."""
+    known = [spread.limits_95 for value, spread in _told(row).values() if value is not None]
+    if not known:
+        return ""
+    wider = None if None in known else max(limit for limit in known if limit is not None)
+    return _limits(row, wider).removeprefix("± ")
+
+
+def _angle(row: MeasureRow, value: float, limits: str, both: bool) -> str:
     """Say an angle without a sign: to which side it is, below it in the narrow columns of both."""
     number, definition = _number(abs(value), _decimals(row)), DEFINITIONS[row.key]
     word = definition.positive if value > 0 else definition.negative
+    told = f"{number}{limits}"
     if round(value, _decimals(row)) == 0:
-        return number if both else f"{number}°"
-    return f"{number}\n{_SHORT_SIDES[word]()}" if both else fill(_TO_SIDES[word](), angle=number)
+        return told if both else f"{told}°"
+    return f"{told}\n{_SHORT_SIDES[word]()}" if both else fill(_TO_SIDES[word](), angle=told)
 
 
 def _decimals(row: MeasureRow) -> int:
-    return 2 if "index" in row.key else 1
+    return DEFINITIONS[row.key].decimals
 
 
 def _number(value: float | None, decimals: int, sign: str = "") -> str:

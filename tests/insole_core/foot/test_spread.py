@@ -1,0 +1,70 @@
+"""Each measure says how far it may be off, and by what."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import Landmarks, find_landmarks
+from insole_core.foot.measures import DEFINITIONS, deviations_mm
+from insole_core.foot.spread import (
+    UNKNOWN,
+    SpreadSource,
+    explained,
+    measure_foot,
+    spread_text,
+    spreads_of,
+)
+
+
+@pytest.fixture(scope="module")
+def outlined(left_foot: Foot) -> Landmarks:
+    """Landmarks as outlines in the pictures give them, known to 0.3 mm."""
+    marks = find_landmarks(left_foot)
+    return {name: replace(mark, deviation_mm=0.3) for name, mark in marks.items()}
+
+
+def test_nothing_is_known_of_the_file_of_another_scanner(left_foot: Foot) -> None:
+    measured = measure_foot(left_foot, find_landmarks(left_foot), is_recorded=False)
+    assert set(measured.spreads.values()) == {UNKNOWN}
+    told = measured.limits_json(["foot_length", "navicular_height"])
+    assert told == {"limits_95": {"foot_length": None}, "limits_by": {"foot_length": "unknown"}}
+    assert spread_text("foot_length", None) == "± ?"
+    assert "another scanner" in explained([UNKNOWN, UNKNOWN])[0]
+
+
+def test_a_recorded_foot_has_the_limits_of_simulated_captures(outlined: Landmarks) -> None:
+    found = spreads_of(outlined, is_recorded=True)
+    length = found["foot_length"]
+    assert length.source is SpreadSource.SIMULATED
+    assert length.limits_95 == pytest.approx(2 * deviations_mm(outlined)["foot_length"])
+    assert found["arch_height"].limits_95 == 2 * DEFINITIONS["arch_height"].deviation
+    assert found["ball_girth"] == UNKNOWN  # no simulated capture shows the back of the foot
+    assert spread_text("foot_length", 0.849) == "± 0.8"
+    assert spread_text("arch_index", 0.02) == "± 0.02"
+
+
+def test_sizes_are_as_uncertain_as_the_length_in_their_own_steps(outlined: Landmarks) -> None:
+    found = spreads_of(outlined, is_recorded=True, repeated={"foot_length": 3.5})
+    assert found["shoe_size_eu"].limits_95 == 1.0  # 3.5 mm are more than half a Paris point
+    assert found["shoe_size_uk"].limits_95 == 0.5
+    assert found["mondopoint"].limits_95 == 5.0
+
+
+def test_the_repeat_test_of_the_place_counts_where_the_foot_was_seen_as_in_it(
+    outlined: Landmarks,
+) -> None:
+    tested = {"foot_length": 0.4, "ball_girth": 1.1}
+    found = spreads_of(outlined, is_recorded=True, repeated=tested)
+    assert found["foot_length"].source is SpreadSource.REPEATED
+    assert found["foot_length"].limits_95 == 0.4
+    assert found["ball_girth"].limits_95 == 1.1
+    assert found["heel_width"].source is SpreadSource.SIMULATED
+    heel = replace(outlined["pternion"], confidence=0.4, deviation_mm=1.5)
+    badly_seen = spreads_of({**outlined, "pternion": heel}, is_recorded=True, repeated=tested)
+    assert badly_seen["foot_length"].source is SpreadSource.SIMULATED
+    assert badly_seen["foot_length"].limits_95 > 3
+    guessed = {**outlined, "pternion": replace(heel, deviation_mm=None)}
+    assert spreads_of(guessed, is_recorded=True, repeated=tested)["foot_length"] == UNKNOWN
