@@ -197,7 +197,8 @@ class _Fused:
             raw=measured.raw,
             color=measured.color,
         )
-        prepared = prepare(reading, corrected=self.corrected)
+        learnt = reading.sensor.family.learnt
+        prepared = prepare(reading, corrected=self.corrected and learnt)
         if stands_aside(sensor2reference, box):
             # What it sees of the foot at the edge, it sees too slantingly to learn its colours.
             return replace(prepared, outline=None, rim=None)

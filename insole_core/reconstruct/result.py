@@ -13,6 +13,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.markers.marker_observation import MarkerObservation, Registration
 from insole_core.reconstruct.poses.pose_quality import PoseRefusedError
+from insole_core.sensing.family import SensorFamily
 
 Method = Literal["fused", "thesis"]
 
@@ -56,6 +57,8 @@ class ViewResult:
         for the thesis's method.
     frames, left_out
         Number of depth frames, and of those left out because something moved in them.
+    family
+        Of its sensor; None for a view that is not used.
     """
 
     name: str
@@ -68,6 +71,7 @@ class ViewResult:
     displacement_mm: float | None = None
     frames: int = 0
     left_out: int = 0
+    family: SensorFamily | None = None
 
     @property
     def markers_found(self) -> int:
@@ -223,6 +227,8 @@ def _view_json(view: ViewResult) -> dict[str, Any]:
         "displacement_mm": view.displacement_mm,
         "frames": view.frames,
         "frames_left_out": view.left_out,
+        "sensor_family": None if view.family is None else view.family.name,
+        "matching_error_learnt": None if view.family is None else view.family.learnt,
         "sensor2reference": None if pose is None else pose.tolist(),
         "markers": [
             {

@@ -21,6 +21,11 @@ _SAME_DIRECTION_DEG = 5.0
 _UNCERTAIN_MM = 1.5
 _MISFIT_MM = 2.0
 """Least gap between views that is reported; of a foot that kept still it is below 1.2 mm."""
+_UNIT_STEP, _NEAR_PERCENT = 8, 5
+_NEAREST_MM, _FARTHEST_MM = 150.0, 3000.0
+"""Of the nearest readings of a picture that may show a foot."""
+_MOST_APART_MS = 50.0
+"""A frame and a half: what is taken together lies within a frame."""
 _STRAYED_PX = 4.0
 """Reprojection error far beyond noise: 3 mm at 750 mm."""
 
@@ -40,6 +45,46 @@ def check_still(average: RawAverage) -> None:
             moved=len(average.moved),
             frames=average.frames,
         )
+
+
+def check_unit(view: View) -> None:
+    """Refuse a view whose depth lies where no foot can be, as in a wrong unit.
+
+    Raises
+    ------
+    ReconstructionError
+        With the reason, as the end of a sentence.
+    """
+    unit_mm = view.sensor.depth_unit_mm
+    if unit_mm is None:
+        return
+    stored = view.read_depth(0)[::_UNIT_STEP, ::_UNIT_STEP]
+    if not stored.any():
+        return
+    near_mm = float(np.percentile(stored[stored > 0], _NEAR_PERCENT)) * unit_mm
+    if not _NEAREST_MM < near_mm < _FARTHEST_MM:
+        raise ReconstructionError(
+            'by "depth_unit_mm" in its sensor.json what it sees is {near_mm:.0f} mm away, where no '
+            "foot can be; put in the unit of its depth frames",
+            near_mm=near_mm,
+        )
+
+
+def lateness_note(view: View) -> str:
+    """Describe a colour picture of another moment than the depth; the end of a sentence, or empty.
+
+    Parameters
+    ----------
+    view
+        With the times of its frames, if its sensor told them.
+    """
+    if view.times is None or view.times.color_apart_ms <= _MOST_APART_MS:
+        return ""
+    return Message(
+        "a colour picture was taken {apart_ms:.0f} ms before or after the depth, so what moved "
+        "meanwhile is in another place; capture it again if the foot was not quite still",
+        apart_ms=view.times.color_apart_ms,
+    )
 
 
 def motion_note(view: View, average: RawAverage) -> str:

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.given_file import read_given
+from insole_core.messages import joined
 from insole_core.picture_size import picture_size
 from insole_core.sensing.disparity import NO_READING
 
@@ -51,8 +52,8 @@ class PngKind:
         return f"{self.width}×{self.height} {self.bits}-bit {kind}"
 
 
-def check_png(name: str, content: bytes, expected: PngKind) -> None:
-    """Check that a PNG is complete and of the expected kind, without decoding it.
+def check_png(name: str, content: bytes, *expected: PngKind) -> None:
+    """Check that a PNG is complete and of one of the expected kinds, without decoding it.
 
     OpenCV silently fills the missing part of a truncated image with black, so the chunks and their
     checksums are checked here.
@@ -85,18 +86,18 @@ def check_png(name: str, content: bytes, expected: PngKind) -> None:
             raise damaged
         if kind == b"IHDR":
             found = PngKind(*struct.unpack_from(">IIBB", content, position + 8))
-            if found != expected:
+            if found not in expected:
                 raise InputError(
                     "{name} is {found}, but must be {expected}.",
                     name=name,
                     found=str(found),
-                    expected=str(expected),
+                    expected=joined(map(str, expected), " or "),
                 )
         position = end
 
 
 def decode_depth(name: str, content: bytes) -> RawArray:
-    """Decode a raw depth frame.
+    """Decode a depth frame of a Kinect.
 
     Parameters
     ----------
@@ -112,7 +113,7 @@ def decode_depth(name: str, content: bytes) -> RawArray:
     InputError
         When it cannot be decoded, or holds numbers that the sensor cannot send.
     """
-    image = _decode(name, content, cv2.IMREAD_UNCHANGED)
+    image = decode_grey(name, content)
     if image.max() > NO_READING:
         raise InputError(
             "{picture} holds the number {number}, but the sensor's raw numbers end at {greatest}; "
@@ -121,7 +122,27 @@ def decode_depth(name: str, content: bytes) -> RawArray:
             number=image.max(),
             greatest=NO_READING,
         )
-    return image.astype(np.uint16, copy=False)
+    return image
+
+
+def decode_grey(name: str, content: bytes) -> RawArray:
+    """Decode a grey picture of 8 or 16 bits, such as depth in a unit of its own, or infrared.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
+
+    Returns
+    -------
+    (height, width) uint16
+
+    Raises
+    ------
+    InputError
+        When it cannot be decoded.
+    """
+    return _decode(name, content, cv2.IMREAD_UNCHANGED).astype(np.uint16, copy=False)
 
 
 def decode_color(name: str, content: bytes) -> ByteArray:

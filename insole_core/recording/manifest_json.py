@@ -17,8 +17,10 @@ from insole_core.recording.session import (
 )
 
 FORMAT = "insole-session"
-VERSION = 2
-"""Of a session of both feet; that of one foot is of version 1."""
+VERSION = 3
+"""Of a session with a sensor that delivers millimetres, of one foot or both."""
+_ONE_FOOT, _BOTH_FEET = 1, 2
+"""Of sessions of Kinects alone."""
 WEIGHT_BEARING = ("none", "semi", "full")
 _KNOWN = {
     "format", "version", "recorded_at", "side", "reference_frame", "views",
@@ -49,7 +51,7 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
     side = _captured(root, version)
     frame = root.object("reference_frame")
     system = parse_reference_system(frame)
-    _check_feet(root, system, version)
+    _check_feet(root, system, version, side)
     return Manifest(
         recorded_at=root.date("recorded_at"),
         side=side,
@@ -57,15 +59,17 @@ def parse_manifest(file: str, text: bytes) -> Manifest:
         views=_view_names(root),
         volume_of_interest=parse_box(root) if root.has("volume_of_interest_mm") else None,
         capture_condition=_condition(root) if root.has("capture_condition") else None,
+        metric=version == VERSION,
         extra={key: value for key, value in root.values.items() if key not in _KNOWN},
     )
 
 
 def manifest_json(manifest: Manifest) -> dict[str, Any]:
     """Return the JSON form of a manifest."""
+    of_kinects = _BOTH_FEET if manifest.side == BOTH else _ONE_FOOT
     values: dict[str, Any] = {
         "format": FORMAT,
-        "version": VERSION if manifest.side == BOTH else 1,
+        "version": VERSION if manifest.metric else of_kinects,
         "recorded_at": manifest.recorded_at,
         "side": str(manifest.side),
         "reference_frame": reference_system_json(manifest.reference_system),
@@ -131,13 +135,15 @@ def reference_system_json(system: ReferenceSystem) -> dict[str, Any]:
 def _captured(root: JsonObject, version: int) -> Sides:
     """Read which foot was captured, of which there are as many as the version says."""
     said = root.value("side")
-    if version == 1 and said == BOTH:
+    if version == VERSION:
+        return BOTH if said == BOTH else root.choice("side", list(Side))
+    if version == _ONE_FOOT and said == BOTH:
         raise root.fail(
             "version",
             'is 1, that of a session of one foot, but "side" is "both"; make the version 2 if both '
             "feet were captured, or name the one that was",
         )
-    if version == 1:
+    if version == _ONE_FOOT:
         return root.choice("side", list(Side))
     if said in list(Side):
         raise root.fail(
@@ -171,16 +177,24 @@ def _foot_place(place: JsonObject, side: Side) -> FootPlace:
     return FootPlace(side, place.triple("origin_mm", MOST_MM), parse_box(place))
 
 
-def _check_feet(root: JsonObject, system: ReferenceSystem, version: int) -> None:
+def _check_feet(root: JsonObject, system: ReferenceSystem, version: int, side: Sides) -> None:
     """Check that there is a place for each captured foot, and that the volume is said once."""
-    if version == 1 and system.feet:
+    if version == VERSION and side != BOTH and system.feet:
+        raise root.fail(
+            "side",
+            'is "{side}", but the reference system "{system}" is for both feet; make it "both", '
+            "or name the system for one foot that was used",
+            side=side,
+            system=system.name,
+        )
+    if version == _ONE_FOOT and system.feet:
         raise root.fail(
             "version",
             'is 1, that of a session of one foot, but the reference system "{system}" is for both '
             'feet; make it 2, and "side" "both"',
             system=system.name,
         )
-    if version == 1:
+    if side != BOTH:
         return
     if not system.feet:
         raise root.fail(

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
+from itertools import combinations
 from pathlib import Path
 
 from insole_core.errors import InputError
@@ -14,17 +15,40 @@ from insole_core.json_object import JsonObject
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.recording.hand_edits_file import NAME as EDITS
 from insole_core.recording.hand_edits_file import edits_path, parse_edits
-from insole_core.recording.images import PngKind, check_png, decode_color, decode_depth
+from insole_core.recording.images import (
+    PngKind,
+    check_png,
+    decode_color,
+    decode_depth,
+    decode_grey,
+)
 from insole_core.recording.manifest_json import parse_manifest
-from insole_core.recording.sensor_folder import DEPTH_SIZE, correction_name, parse_sensor
-from insole_core.recording.session import Manifest, Session, View
+from insole_core.recording.sensor_folder import (
+    SENSOR_FILE,
+    corrected_image,
+    correction_name,
+    is_metric,
+    parse_sensor,
+)
+from insole_core.recording.session import (
+    FrameTimes,
+    InfraredPictures,
+    Manifest,
+    Session,
+    View,
+)
 from insole_core.recording.store import FolderStore, Store, ZipStore
-from insole_core.sensing.correction import DisparityCorrection, parse_correction
+from insole_core.sensing.correction import CorrectedImage, DisparityCorrection, parse_correction
 from insole_core.sensing.pinhole_camera import PinholeCamera
+from insole_core.sensing.sensor import Sensor
 
 _GREY, _RGB = 0, 2
 MOST_FRAMES = 1000
 """Of each kind in a view: half a minute of a Kinect."""
+_BITS_AT = 24
+"""Where a PNG says how many bits a grey value has."""
+_MOST_MS = 1e15
+_STEREO_PAIR = ("infrared_left", "infrared_right")
 
 
 def read_session(path: Path) -> Session:
@@ -46,6 +70,7 @@ def read_session(path: Path) -> Session:
         )
     manifest = parse_manifest(store.place("manifest.json"), store.read("manifest.json"))
     views = [_view(store, name, manifest) for name in manifest.views]
+    _check_devices(store, views)
     return Session(manifest, _with_shared_cameras(views), str(path), _edits(store, path, manifest))
 
 
@@ -85,7 +110,7 @@ def _with_shared_cameras(views: Iterable[View]) -> tuple[View, ...]:
 
 def _view(store: Store, name: str, manifest: Manifest) -> View:
     folder = f"views/{name}"
-    file = f"{folder}/sensor.json"
+    file = f"{folder}/{SENSOR_FILE}"
     if file not in store.names():
         raise InputError(
             "{file} is missing, but manifest.json names the view {view}; restore it from the "
@@ -94,22 +119,75 @@ def _view(store: Store, name: str, manifest: Manifest) -> View:
             view=name,
         )
     root = JsonObject.parse(store.place(file), store.read(file))
+    if is_metric(root) and not manifest.metric:
+        raise root.fail(
+            "depth_unit_mm",
+            'is of a sensor that delivers millimetres, but "version" in manifest.json is that of '
+            "a session of Kinects alone; make the version 3",
+        )
     named = correction_name(root)
-    correction = None if named is None else _correction(store, f"{folder}/{named}")
+    correction = None
+    if named is not None:
+        correction = _correction(store, f"{folder}/{named}", corrected_image(root))
     sensor = parse_sensor(root, correction)
     _check_faces(root, sensor.faces, manifest)
-    depth = PngKind(*DEPTH_SIZE, 16, _GREY)
+    camera = sensor.depth_camera
+    depth = PngKind(camera.width, camera.height, 16, _GREY)
     color = PngKind(sensor.color_camera.width, sensor.color_camera.height, 8, _RGB)
     depth_names = _frames(store, folder, "depth", depth)
     color_names = _frames(store, folder, "color", color)
+    decode = decode_depth if sensor.depth_unit_mm is None else decode_grey
     return View(
         name=name,
         sensor=sensor,
         depth_count=len(depth_names),
         color_count=len(color_names),
-        read_depth=partial(_read_depth, store, depth_names),
+        read_depth=partial(_read_grey, store, depth_names, decode),
         read_color=partial(_read_color, store, color_names),
+        infrared=_stereo_pair(store, folder, sensor),
+        times=_times(root, len(depth_names), len(color_names)),
     )
+
+
+def _stereo_pair(store: Store, folder: str, sensor: Sensor) -> dict[str, InfraredPictures]:
+    """Return the rectified pair behind a stereo camera's depth, where it was recorded."""
+    camera = sensor.depth_camera
+    kinds = {bits: PngKind(camera.width, camera.height, bits, _GREY) for bits in (8, 16)}
+    pair = {}
+    for kind in _STEREO_PAIR if sensor.baseline_mm is not None else ():
+        if f"{folder}/{kind}_000.png" in store.names():
+            names = _frames(store, folder, kind, *kinds.values())
+            read = partial(_read_grey, store, names, decode_grey)
+            pair[kind] = InfraredPictures(len(names), read, store.read(names[0])[_BITS_AT])
+    return pair
+
+
+def _times(root: JsonObject, depth_count: int, color_count: int) -> FrameTimes | None:
+    if not root.has("frame_times_ms"):
+        return None
+    times = root.object("frame_times_ms")
+    return FrameTimes(
+        times.numbers("depth", depth_count, -_MOST_MS, _MOST_MS),
+        times.numbers("color", color_count, -_MOST_MS, _MOST_MS),
+    )
+
+
+def _check_devices(store: Store, views: list[View]) -> None:
+    """Check that sensors of one serial number are one sensor, if they deliver millimetres."""
+    for first, second in combinations(views, 2):
+        a, b = first.sensor, second.sensor
+        if a.serial != b.serial or (a.depth_unit_mm is None and b.depth_unit_mm is None):
+            continue
+        if (a.model, a.depth_camera, a.color_camera) != (b.model, b.depth_camera, b.color_camera):
+            raise InputError(
+                "{place}: the views {first} and {second} name one sensor, {serial}, but two "
+                "cameras of different kind or calibration; give each view the sensor.json of its "
+                "own camera.",
+                place=store.place("views"),
+                first=first.name,
+                second=second.name,
+                serial=a.serial,
+            )
 
 
 def _check_faces(root: JsonObject, faces: tuple[str, ...], manifest: Manifest) -> None:
@@ -121,7 +199,7 @@ def _check_faces(root: JsonObject, faces: tuple[str, ...], manifest: Manifest) -
         )
 
 
-def _frames(store: Store, folder: str, kind: str, expected: PngKind) -> list[str]:
+def _frames(store: Store, folder: str, kind: str, *expected: PngKind) -> list[str]:
     """Return the names of a view's frames in order, each checked to be complete and of its kind."""
     pattern = re.compile(rf"{re.escape(folder)}/{kind}_(\d{{3,}})\.png")
     numbers = sorted(
@@ -151,23 +229,25 @@ def _frames(store: Store, folder: str, kind: str, expected: PngKind) -> list[str
             frame=store.place(gap),
         )
     for name in names:
-        check_png(store.place(name), store.read(name), expected)
+        check_png(store.place(name), store.read(name), *expected)
     return names
 
 
-def _read_depth(store: Store, names: list[str], index: int) -> RawArray:
-    return decode_depth(store.place(names[index]), store.read(names[index]))
+def _read_grey(
+    store: Store, names: list[str], decode: Callable[[str, bytes], RawArray], index: int
+) -> RawArray:
+    return decode(store.place(names[index]), store.read(names[index]))
 
 
 def _read_color(store: Store, names: list[str], index: int) -> ByteArray:
     return decode_color(store.place(names[index]), store.read(names[index]))
 
 
-def _correction(store: Store, name: str) -> DisparityCorrection:
+def _correction(store: Store, name: str, image: CorrectedImage) -> DisparityCorrection:
     if name not in store.names():
         raise InputError(
             "{name} is missing, but sensor.json names it as disparity_correction; restore it from "
             "the recording.",
             name=store.place(name),
         )
-    return parse_correction(store.place(name), store.read(name))
+    return parse_correction(store.place(name), store.read(name), image)

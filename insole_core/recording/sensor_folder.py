@@ -17,13 +17,21 @@ from insole_core.geometry.transforms import is_rotation, rigid
 from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
-from insole_core.sensing.correction import DisparityCorrection, load_correction
+from insole_core.recording.images import MAX_PIXELS, MAX_SIDE
+from insole_core.recording.session import FrameTimes
+from insole_core.sensing.correction import (
+    OF_A_KINECT,
+    CorrectedImage,
+    DisparityCorrection,
+    load_correction,
+)
 from insole_core.sensing.disparity import (
     DisparityModel,
     FactoryDisparity,
     LinearInverseDisparity,
     TangentDisparity,
 )
+from insole_core.sensing.metric_depth import PlainDepth, StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import UNITS, CalibrationRecord, Sensor
 from insole_core.strict_json import MOST_BYTES
@@ -33,6 +41,10 @@ COLOR_SIZES = ((1280, 1024), (1280, 960), (640, 480))
 _STEP = re.compile(r"[a-z_]{1,32}")
 _MOST_STEPS = 20
 _TINY = 1e-9
+_LEAST_UNIT_MM, _MOST_UNIT_MM = 0.01, 10.0
+"""Of known sensors 0.1 to 1; a number of metres, as their libraries state it, lies below."""
+_MOST_BASELINE_MM = 1000.0
+_LEAST_SIDE = 16
 _MOST_MM, _MOST_PX, _MOST_DISTORTION = 1e4, 1e5, 1e3
 """Far beyond any camera; larger numbers are mistakes, and overflow."""
 SENSOR_FILE = "sensor.json"
@@ -57,17 +69,77 @@ def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Se
     faces = root.items("faces")
     if not faces or not all(isinstance(face, str) for face in faces):
         raise root.fail("faces", "must name at least one marker group")
+    metric = is_metric(root)
+    sizes = None if metric else (DEPTH_SIZE,)
+    depth_camera = _camera(root.object("depth_camera"), sizes)
+    baseline_mm = _baseline_mm(root) if metric else None
     return Sensor(
         model=root.text("model"),
         serial=root.text("serial"),
-        depth_camera=_camera(root.object("depth_camera"), (DEPTH_SIZE,)),
-        color_camera=_camera(root.object("color_camera"), COLOR_SIZES),
+        depth_camera=depth_camera,
+        color_camera=_camera(root.object("color_camera"), None if metric else COLOR_SIZES),
         depth2color=_depth2color(root.object("depth2color")),
-        disparity=_disparity(root.object("disparity")),
+        disparity=_metric_disparity(depth_camera, baseline_mm)
+        if metric
+        else _disparity(root.object("disparity")),
         correction=correction,
         faces=tuple(faces),
         calibration=_calibration(root.values.get("calibration")),
+        depth_unit_mm=root.number("depth_unit_mm", _LEAST_UNIT_MM, _MOST_UNIT_MM)
+        if metric
+        else None,
+        baseline_mm=baseline_mm,
     )
+
+
+def is_metric(root: JsonObject) -> bool:
+    """Return whether a sensor delivers millimetres rather than raw numbers.
+
+    Raises
+    ------
+    InputError
+        When it says both, or neither.
+    """
+    if root.has("depth_unit_mm") and root.has("disparity"):
+        raise root.fail(
+            "depth_unit_mm",
+            'is of a sensor that delivers millimetres, and "disparity" of one that delivers raw '
+            "numbers; take out the one that is wrong",
+        )
+    if root.has("depth_unit_mm"):
+        return True
+    root.object("disparity")
+    return False
+
+
+def corrected_image(root: JsonObject) -> CorrectedImage:
+    """Return the depth image that the correction of a sensor must be for.
+
+    Raises
+    ------
+    InputError
+        Names the file and the key of the first violation.
+    """
+    if not is_metric(root):
+        return OF_A_KINECT
+    if _baseline_mm(root) is None:
+        raise root.fail(
+            "disparity_correction",
+            'corrects disparities, but there is no "stereo" with the baseline that makes them; '
+            "add it, or take out the correction",
+        )
+    camera = _camera(root.object("depth_camera"), None)
+    return CorrectedImage(camera.width, camera.height, "px")
+
+
+def _baseline_mm(root: JsonObject) -> float | None:
+    if not root.has("stereo"):
+        return None
+    return root.object("stereo").number("baseline_mm", 1.0, _MOST_BASELINE_MM)
+
+
+def _metric_disparity(camera: PinholeCamera, baseline_mm: float | None) -> DisparityModel:
+    return PlainDepth() if baseline_mm is None else StereoDisparity(camera.fx, baseline_mm)
 
 
 def correction_name(root: JsonObject) -> str | None:
@@ -103,13 +175,23 @@ def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
             "rotation": sensor.depth2color[:3, :3].tolist(),
             "translation_mm": sensor.depth2color[:3, 3].tolist(),
         },
-        "disparity": _disparity_json(sensor.disparity),
+        **_depth_json(sensor),
         "faces": list(sensor.faces),
     }
     if correction is not None:
         values["disparity_correction"] = correction
     if sensor.calibration:
         values["calibration"] = [vars(step) for step in sensor.calibration]
+    return values
+
+
+def _depth_json(sensor: Sensor) -> dict[str, Any]:
+    """Return what makes millimetres of the numbers in its frames."""
+    if sensor.depth_unit_mm is None:
+        return {"disparity": _disparity_json(sensor.disparity)}
+    values: dict[str, Any] = {"depth_unit_mm": sensor.depth_unit_mm}
+    if sensor.baseline_mm is not None:
+        values["stereo"] = {"baseline_mm": sensor.baseline_mm}
     return values
 
 
@@ -138,9 +220,17 @@ def _is_moment(text: str) -> bool:
     return True
 
 
-def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...]) -> PinholeCamera:
-    width, height = item.integer("width", 1, 10_000), item.integer("height", 1, 10_000)
-    if (width, height) not in sizes:
+def _camera(item: JsonObject, sizes: tuple[tuple[int, int], ...] | None) -> PinholeCamera:
+    least, most = (_LEAST_SIDE, MAX_SIDE) if sizes is None else (1, 10_000)
+    width, height = (item.integer(key, least, most) for key in ("width", "height"))
+    if sizes is None and width * height > MAX_PIXELS:
+        raise item.fail(
+            "width",
+            "and height are {width}×{height}, more than the pictures of a sensor have",
+            width=width,
+            height=height,
+        )
+    if sizes is not None and (width, height) not in sizes:
         allowed = joined((f"{w}×{h}" for w, h in sizes), " or ")
         raise item.fail(
             "width",
@@ -240,8 +330,15 @@ def check_readable(folder: Path) -> None:
     _sensor_of(JsonObject.parse(SENSOR_FILE, text), folder)
 
 
-def write_sensor(sensor: Sensor, folder: Path) -> None:
+def write_sensor(sensor: Sensor, folder: Path, times: FrameTimes | None = None) -> None:
     """Write a sensor into an existing folder.
+
+    Parameters
+    ----------
+    sensor
+    folder
+    times : optional
+        Of the frames beside it.
 
     Raises
     ------
@@ -254,10 +351,15 @@ def write_sensor(sensor: Sensor, folder: Path) -> None:
     if sensor.correction is not None:
         name = CORRECTION_FILE
         sensor.correction.save(folder / name)
-    text = json.dumps(sensor_json(sensor, name), indent=1, ensure_ascii=False)
+    values = sensor_json(sensor, name)
+    if times is not None:
+        values["frame_times_ms"] = {"depth": times.depth_ms, "color": times.color_ms}
+    text = json.dumps(values, indent=1, ensure_ascii=False)
     write_private(folder / SENSOR_FILE, f"{text}\n".encode())
 
 
 def _sensor_of(root: JsonObject, folder: Path) -> Sensor:
     named = correction_name(root)
-    return parse_sensor(root, None if named is None else load_correction(folder / named))
+    if named is None:
+        return parse_sensor(root, None)
+    return parse_sensor(root, load_correction(folder / named, corrected_image(root)))

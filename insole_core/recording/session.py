@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -120,6 +120,8 @@ class Manifest:
     views: tuple[str, ...]
     volume_of_interest: Box | None = None
     capture_condition: CaptureCondition | None = None
+    metric: bool = False
+    """Whether a view may come from a sensor that delivers millimetres (version 3)."""
     extra: dict[str, Any] = field(default_factory=dict)
     """Keys that this version does not know; preserved when the session is copied."""
 
@@ -146,6 +148,36 @@ class Manifest:
 
 
 @dataclass(frozen=True, eq=False)
+class InfraredPictures:
+    """The infrared pictures of one camera of a sensor, read one at a time.
+
+    Parameters
+    ----------
+    read
+        Returns picture i, (height, width) uint16.
+    bits
+        Of the stored pictures, 8 or 16.
+    """
+
+    count: int
+    read: Callable[[int], RawArray]
+    bits: int
+
+
+@dataclass(frozen=True)
+class FrameTimes:
+    """When the frames of a view were taken, ms on the clock of its sensor."""
+
+    depth_ms: tuple[float, ...]
+    color_ms: tuple[float, ...]
+
+    @property
+    def color_apart_ms(self) -> float:
+        """The longest time between a colour frame and the depth frame next to it."""
+        return max(min(abs(color - depth) for depth in self.depth_ms) for color in self.color_ms)
+
+
+@dataclass(frozen=True, eq=False)
 class View:
     """The recording of one sensor; frames are read one at a time, on demand.
 
@@ -154,9 +186,14 @@ class View:
     depth_count, color_count
         Number of frames.
     read_depth
-        Returns depth frame i, (480, 640) uint16 raw numbers, 2047 = no reading.
+        Returns depth frame i as it is stored (see `Readings`), (height, width) uint16; of a Kinect
+        raw numbers, 2047 = no reading.
     read_color
         Returns colour frame i, (height, width, 3) uint8, RGB.
+    infrared
+        Pictures by the name of their files without number, such as ``infrared_left``.
+    times : optional
+        Where the sensor told them.
     """
 
     name: str
@@ -165,6 +202,8 @@ class View:
     color_count: int
     read_depth: Callable[[int], RawArray]
     read_color: Callable[[int], ByteArray]
+    infrared: Mapping[str, InfraredPictures] = field(default_factory=dict)
+    times: FrameTimes | None = None
 
 
 @dataclass(frozen=True, eq=False)

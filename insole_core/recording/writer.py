@@ -7,8 +7,11 @@ import os
 import re
 import zipfile
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from insole_core.files.atomic import replacing_file, replacing_folder, scratch_folder
 from insole_core.files.temporary import is_left
@@ -31,7 +34,7 @@ MANIFEST = "manifest.json"
 _TRUTHS = ("truth.ply", "truth_left.ply", "truth_right.ply")
 _IN_SESSION = (MANIFEST, EDITS, *_TRUTHS, "truth_poses.json")
 _IN_VIEW = re.compile(
-    rf"(?:depth_\d{{3,}}\.png|color_\d{{3,}}\.png|{re.escape(SENSOR_FILE)}"
+    rf"(?:(?:depth|color|infrared_left|infrared_right)_\d{{3,}}\.png|{re.escape(SENSOR_FILE)}"
     rf"|{re.escape(CORRECTION_FILE)})"
 )
 _FILE = re.compile(
@@ -143,7 +146,9 @@ def _write_parts(
     sensor2reference: dict[str, FloatArray] | None,
     progress: Progress,
 ) -> None:
-    _write_json(folder / "manifest.json", manifest_json(session.manifest))
+    metric = any(view.sensor.depth_unit_mm is not None for view in session.views)
+    manifest = replace(session.manifest, metric=metric)
+    _write_json(folder / "manifest.json", manifest_json(manifest))
     if session.edits != NO_EDITS:
         _write_json(folder / EDITS, edits_json(session.edits))
     for index, view in enumerate(session.views):
@@ -161,11 +166,16 @@ def _write_parts(
 
 def _write_view(view: View, folder: Path) -> None:
     folder.mkdir(parents=True)
-    write_sensor(view.sensor, folder)
+    write_sensor(view.sensor, folder, view.times)
     for index in range(view.depth_count):
         (folder / f"depth_{index:03d}.png").write_bytes(encode_png(view.read_depth(index)))
     for index in range(view.color_count):
         (folder / f"color_{index:03d}.png").write_bytes(encode_png(view.read_color(index)))
+    for kind, pictures in view.infrared.items():
+        for index in range(pictures.count):
+            picture = pictures.read(index)
+            stored = picture.astype(np.uint8) if pictures.bits == 8 else picture
+            (folder / f"{kind}_{index:03d}.png").write_bytes(encode_png(stored))
 
 
 def _write_json(path: Path, values: dict[str, Any]) -> None:

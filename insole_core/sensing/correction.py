@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -17,17 +17,43 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, Floa
 from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.sensing.disparity import DisparityModel
+from insole_core.sensing.metric_depth import RAW_PER_PX, binned_map
 from insole_core.stored_arrays import read_arrays
 
 VERSION = 2
-_SHAPE = (480, 640)
+CorrectionUnit = Literal["raw", "px"]
 _ARRAYS = ("slope", "deviation")
 _WHOLE_RANGE = (0.0, 2047.0)
 _MOST_NUMBER = 1e6  # raw numbers have 11 bits
 _MOST_RAW, _MOST_DECAY = 1e4, 0.03
 """Real sensors decay by 0.002; with more, the exponential overflows."""
 MAX_BYTES = 32 * 2**20
-"""The maps of a correction have 4 MB."""
+"""The maps of a correction have 4 MB, those of a stereo camera 12 MB."""
+
+
+@dataclass(frozen=True)
+class CorrectedImage:
+    """The depth image that a correction is for.
+
+    Parameters
+    ----------
+    width, height
+        px.
+    unit
+        Of the stored offset: raw numbers of a Kinect, or pixels of a stereo camera's disparity.
+    """
+
+    width: int = 640
+    height: int = 480
+    unit: CorrectionUnit = "raw"
+
+    @property
+    def raw_per_stored(self) -> float:
+        """Raw units for one unit of the stored offset; disparity falls as raw units grow."""
+        return 1.0 if self.unit == "raw" else -float(RAW_PER_PX)
+
+
+OF_A_KINECT = CorrectedImage()
 
 
 @dataclass(frozen=True)
@@ -46,6 +72,8 @@ class CorrectionRecord:
         Results of its calibration by name.
     version
         Of the file format.
+    unit
+        Of the array ``offset`` in the file: raw numbers, or pixels of disparity.
     """
 
     serial: str = ""
@@ -53,6 +81,7 @@ class CorrectionRecord:
     method: str = ""
     figures: dict[str, float] = field(default_factory=dict)
     version: int = VERSION
+    unit: CorrectionUnit = "raw"
 
     def is_of(self, serial: str) -> bool:
         """Whether it was measured on a device, as far as it says on which."""
@@ -76,18 +105,18 @@ class DisparityCorrection:
 
     Parameters
     ----------
-    offset : (480, 640) float32, raw units
+    offset : (height, width) float32, raw units
         The correction at `reference_raw`; all that other programs need to know.
-    slope : (480, 640) float32, raw units per raw unit, optional
+    slope : (height, width) float32, raw units per raw unit, optional
         At `reference_raw`.
     decay
         Rate at which the correction decays with the raw number, 1 / raw unit; 0 = linear (files of
         version 1).
     raw_range
         The correction is not extrapolated beyond these raw numbers.
-    coverage : (480, 640) uint8, optional
+    coverage : (height, width) uint8, optional
         Number of captures that determined each pixel; 0 = filled in from its neighbours.
-    deviation : (480, 640) float32, raw units, optional
+    deviation : (height, width) float32, raw units, optional
         Standard deviation of the residuals after the correction, averaged over 8 x 8 pixels.
     """
 
@@ -101,14 +130,14 @@ class DisparityCorrection:
     record: CorrectionRecord = field(default_factory=CorrectionRecord)
 
     def offset_at(self, raw: FloatArray) -> FloatArray:
-        """Return the correction (480, 640), raw units, at a raw image (480, 640)."""
+        """Return the correction (height, width), raw units, at a raw image."""
         if self.slope is None:
             return self.offset.astype(float)
         beyond_raw = np.clip(raw, *self.raw_range) - self.reference_raw
         return self.offset + self.slope * decay_lever(beyond_raw, self.decay)
 
     def corrected(self, raw: FloatArray) -> FloatArray:
-        """Subtract the correction from a raw image (480, 640), NaN = no reading."""
+        """Subtract the correction from a raw image (height, width), NaN = no reading."""
         return np.asarray(raw - self.offset_at(raw))
 
     def depth_mm(self, raw: FloatArray, disparity: DisparityModel) -> FloatArray:
@@ -116,20 +145,33 @@ class DisparityCorrection:
 
         Parameters
         ----------
-        raw : (480, 640) float64, raw units, NaN = no reading
+        raw : (height, width) float64, raw units, NaN = no reading
 
         Returns
         -------
-        (480, 640) float64, mm along the optical axis, NaN = no reading
+        (height, width) float64, mm along the optical axis, NaN = no reading
         """
         return disparity.depth_mm(self.corrected(raw))
 
     @property
     def covered(self) -> BoolArray:
-        """(480, 640) whether any capture determined a pixel."""
+        """(height, width) whether any capture determined a pixel."""
         if self.coverage is None:
             return np.ones(self.offset.shape, dtype=bool)
         return self.coverage > 0
+
+    def binned(self, size: int) -> DisparityCorrection:
+        """Return the correction of an image of which each pixel is the mean of a square."""
+        if size == 1:
+            return self
+        covered = None if self.coverage is None else binned_map(self.coverage, size)
+        return replace(
+            self,
+            offset=binned_map(self.offset, size),
+            slope=None if self.slope is None else binned_map(self.slope, size),
+            deviation=None if self.deviation is None else binned_map(self.deviation, size),
+            coverage=None if covered is None else np.ceil(covered).astype(np.uint8),
+        )
 
     def save(self, path: Path) -> None:
         """Write the .npz file of the session format.
@@ -143,12 +185,17 @@ class DisparityCorrection:
             np.savez_compressed(stream, allow_pickle=False, **self._arrays())
 
     def _arrays(self) -> dict[str, Any]:
+        height, width = self.offset.shape
+        image = CorrectedImage(width, height, self.record.unit)
+        record = asdict(self.record)
+        if self.record.unit == "raw":
+            del record["unit"]  # as of files written before there was another
         arrays: dict[str, Any] = {
-            "offset": self.offset.astype(np.float32),
+            "offset": (self.offset / image.raw_per_stored).astype(np.float32),
             "reference_raw": np.float64(self.reference_raw),
             "decay": np.float64(self.decay),
             "raw_range": np.array(self.raw_range),
-            "record": np.array(json.dumps(asdict(self.record))),
+            "record": np.array(json.dumps(record)),
         }
         optional = {"slope": self.slope, "deviation": self.deviation, "coverage": self.coverage}
         return arrays | {name: array for name, array in optional.items() if array is not None}
@@ -171,24 +218,34 @@ def decay_lever(beyond: FloatArray, decay: float) -> FloatArray:
     return np.asarray(-np.expm1(-decay * beyond) / decay) if decay else beyond
 
 
-def load_correction(path: Path) -> DisparityCorrection:
+def load_correction(path: Path, image: CorrectedImage = OF_A_KINECT) -> DisparityCorrection:
     """Read a correction file.
+
+    Parameters
+    ----------
+    path
+    image
+        That it must be for.
 
     Raises
     ------
     InputError
         When it is missing, damaged, or of a newer version.
     """
-    return parse_correction(path.name, read_given(path, MAX_BYTES))
+    return parse_correction(path.name, read_given(path, MAX_BYTES), image)
 
 
-def parse_correction(name: str, content: bytes) -> DisparityCorrection:
+def parse_correction(
+    name: str, content: bytes, image: CorrectedImage = OF_A_KINECT
+) -> DisparityCorrection:
     """Read the bytes of a correction file; only the array ``offset`` is required.
 
     Parameters
     ----------
     name
         Of the file, for messages.
+    image
+        That it must be for.
 
     Returns
     -------
@@ -198,7 +255,8 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
     Raises
     ------
     InputError
-        When it is damaged, holds arrays of another shape, or is of a newer version.
+        When it is damaged, holds arrays of another shape, was measured on another kind of sensor,
+        or is of a newer version.
     """
     try:
         arrays = read_arrays(name, content, MAX_BYTES)
@@ -210,10 +268,11 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
         raise InputError(
             '{name} holds no readable array "offset"; calibrate the sensor again.', name=name
         )
-    _check_map(name, "offset", arrays["offset"])
+    _check_map(name, "offset", arrays["offset"], image)
+    offset = (arrays["offset"] * image.raw_per_stored).astype(np.float32)
     if "record" not in arrays:
         # Written by another program: the meaning of its other arrays is unknown.
-        return DisparityCorrection(arrays["offset"].astype(np.float32))
+        return DisparityCorrection(offset, record=CorrectionRecord(unit=image.unit))
     try:
         record = _record(name, str(arrays["record"]))
     except InputError as error:
@@ -228,13 +287,23 @@ def parse_correction(name: str, content: bytes) -> DisparityCorrection:
             version=record.version,
             newest=VERSION,
         )
+    if record.unit != image.unit:
+        raise _of_another_kind(name)
     for key in (*_ARRAYS, "coverage"):
         if key in arrays:
-            _check_map(name, key, arrays[key])
+            _check_map(name, key, arrays[key], image)
     _check_numbers(name, "raw_range", arrays.get("raw_range", _WHOLE_RANGE), (2,), _MOST_RAW)
     for key, most in (("reference_raw", _MOST_RAW), ("decay", _MOST_DECAY)):
         _check_numbers(name, key, arrays.get(key, 0.0), (), most)
-    return _assemble(arrays, record)
+    return _assemble(arrays | {"offset": offset}, record)
+
+
+def _of_another_kind(name: str) -> InputError:
+    return InputError(
+        "{name} corrects another kind of sensor than this one; calibrate this sensor, or put in "
+        "its own correction.",
+        name=name,
+    )
 
 
 def _record(name: str, text: str) -> CorrectionRecord:
@@ -248,16 +317,22 @@ def _record(name: str, text: str) -> CorrectionRecord:
         **{key: root.text(key, empty=True) for key in texts if root.has(key)},
         figures={} if figures is None else {key: figures.number(key) for key in figures.values},
         version=version,
+        unit=root.choice("unit", get_args(CorrectionUnit)) if root.has("unit") else "raw",
     )
 
 
-def _check_map(name: str, key: str, array: npt.NDArray[Any]) -> None:
-    if array.shape != _SHAPE or not _are_numbers(array):
+def _check_map(name: str, key: str, array: npt.NDArray[Any], image: CorrectedImage) -> None:
+    shape = (image.height, image.width)
+    if array.shape == (OF_A_KINECT.height, OF_A_KINECT.width) != shape:
+        raise _of_another_kind(name)
+    if array.shape != shape or not _are_numbers(array):
         raise InputError(
-            '{name}: the array "{key}" must hold 480×640 finite numbers; calibrate the sensor '
-            "again.",
+            '{name}: the array "{key}" must hold {height}×{width} finite numbers; calibrate the '
+            "sensor again.",
             name=name,
             key=key,
+            height=image.height,
+            width=image.width,
         )
 
 

@@ -38,12 +38,14 @@ _LEAST_GRADIENT = 0.04
 """Squared disparity gradient, raw²/px², below which a block hardly shows a shift."""
 
 
-def median_raw(frames: Iterable[RawArray]) -> FloatArray:
+def median_raw(frames: Iterable[RawArray], per_raw: int = 1) -> FloatArray:
     """Take the median over the frames in which a pixel measured (thesis 5.2, 6.1).
 
     Parameters
     ----------
-    frames : each (height, width) uint16, raw, 2047 = no reading
+    frames : each (height, width) uint16, parts of a raw unit, 2047 raw = no reading
+    per_raw
+        Number of these parts in a raw unit.
 
     Returns
     -------
@@ -51,9 +53,10 @@ def median_raw(frames: Iterable[RawArray]) -> FloatArray:
     """
     # 2047 is the largest raw number, so sorting puts the readings before the gaps.
     ordered = np.stack(_sorted(list(frames)))
-    readings = (ordered < NO_READING).sum(0, dtype=np.int16)
+    readings = (ordered < NO_READING * per_raw).sum(0, dtype=np.int16)
     low, high = _picked(ordered, np.maximum(readings - 1, 0) // 2), _picked(ordered, readings // 2)
-    return np.where(_enough(readings, len(ordered)), (low.astype(float) + high) / 2, np.nan)
+    middle = (low.astype(float) + high) / (2 * per_raw)
+    return np.where(_enough(readings, len(ordered)), middle, np.nan)
 
 
 def _picked(frames: RawArray, index: Int16Array) -> RawArray:
@@ -140,7 +143,7 @@ class RawAverage:
     motion: Motion | None = None
 
 
-def average_raw(frames: Iterable[RawArray]) -> RawAverage:
+def average_raw(frames: Iterable[RawArray], per_raw: int = 1) -> RawAverage:
     """Take the mean over the readings near a first robust estimate, in one pass.
 
     The first estimate is the median of the first nine frames; readings farther than 3 raw units
@@ -150,7 +153,9 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
 
     Parameters
     ----------
-    frames : each (height, width) uint16, raw, 2047 = no reading
+    frames : each (height, width) uint16, parts of a raw unit, 2047 raw = no reading
+    per_raw
+        Number of these parts in a raw unit, up to 8.
 
     Returns
     -------
@@ -159,9 +164,9 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
     """
     stream = iter(frames)
     first = list(islice(stream, _FIRST_FRAMES))
-    scene = _StillScene(median_raw(first))
+    scene = _StillScene(median_raw(first, per_raw), per_raw)
     shape = scene.anchor.shape
-    sums = _Sums(shape)
+    sums = _Sums(shape, scene.steps)
     moved: list[int] = []
     motion_raw, sideways_px, farthest, count = 0.0, 0.0, 0.0, 0
     motion = None
@@ -176,14 +181,14 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
             if off > farthest:
                 farthest, motion = off, scene.motion(halves, valid)
             continue
-        near = valid & (np.abs(halves) <= 2 * _NEAR_RAW)
+        near = valid & (np.abs(halves) <= scene.steps * _NEAR_RAW)
         halves *= near
         sums.add(halves, near)
     total, squares, readings = sums.totals()
     enough = _enough(readings, max(count - len(moved), 1))
     number = np.maximum(readings, 1)
-    offset = total / (2 * number)
-    variance = (squares / (4 * number) - offset**2) / np.maximum(number - 1, 1)
+    offset = total / (scene.steps * number)
+    variance = (squares / (scene.steps**2 * number) - offset**2) / np.maximum(number - 1, 1)
     return RawAverage(
         np.where(enough, scene.anchor + offset, np.nan),
         np.where(enough, np.maximum(variance, 0), np.nan),
@@ -195,18 +200,19 @@ def average_raw(frames: Iterable[RawArray]) -> RawAverage:
     )
 
 
-def mean_raw(frames: Iterable[RawArray]) -> FloatArray:
+def mean_raw(frames: Iterable[RawArray], per_raw: int = 1) -> FloatArray:
     """Return only the mean of `average_raw`.
 
     Parameters
     ----------
-    frames : each (height, width) uint16, raw, 2047 = no reading
+    frames, per_raw
+        As there.
 
     Returns
     -------
     (height, width) float64, raw; NaN = no reading
     """
-    return average_raw(frames).raw
+    return average_raw(frames, per_raw).raw
 
 
 class _Sums:
@@ -216,12 +222,13 @@ class _Sums:
     ----------
     shape
         Height and width.
+    steps
+        In a raw unit; the integers are multiples of one.
     """
 
-    _STRETCH = 500
-    """Frames whose squares, up to (2 * _NEAR_RAW)² each, add up within 16 bits."""
-
-    def __init__(self, shape: tuple[int, ...]) -> None:
+    def __init__(self, shape: tuple[int, ...], steps: int) -> None:
+        # Frames whose squares add up within 16 bits.
+        self._stretch = int(np.iinfo(np.int16).max / (steps * _NEAR_RAW) ** 2)
         self._long = np.zeros((3, *shape), dtype=np.int32)
         self._short = np.zeros((3, *shape), dtype=np.int16)
         self._count = 0
@@ -233,7 +240,7 @@ class _Sums:
         squares += values * values
         number += counted
         self._count += 1
-        if self._count == self._STRETCH:
+        if self._count == self._stretch:
             self._carry()
 
     def totals(self) -> Int32Array:
@@ -250,13 +257,16 @@ class _Sums:
 class _StillScene:
     """The scene as long as nothing moves, to compare frames with.
 
-    Differences are in half raw units, in which the median of integers is an integer.
+    Differences are in halves of the frames' numbers, of which the median of integers is one;
+    `steps` of them are a raw unit.
     """
 
-    def __init__(self, anchor: FloatArray) -> None:
+    def __init__(self, anchor: FloatArray, per_raw: int) -> None:
         self.anchor = anchor
+        self.steps = 2 * per_raw
+        self._no_reading = NO_READING * per_raw
         self._known = np.isfinite(anchor)
-        self._halves = np.where(self._known, 2 * anchor, 0).astype(np.int16)
+        self._halves = np.where(self._known, self.steps * anchor, 0).astype(np.int16)
         self._slopes, self._steady = self._steady_slopes()
         along_u, along_v = self._row_slopes = [slope[::_ROW_STEP] for slope in self._slopes]
         self._uu, self._uv, self._vv = (
@@ -281,9 +291,9 @@ class _StillScene:
         return (along_u * steady, along_v * steady), steady
 
     def compare(self, frame: RawArray) -> tuple[Int16Array, BoolArray]:
-        """Return the difference (height, width) in half raw units, and where it is valid."""
+        """Return the difference (height, width) in steps, and where it is valid."""
         numbers = np.asarray(frame)
-        valid = self._known & (numbers < NO_READING)
+        valid = self._known & (numbers < self._no_reading)
         return 2 * numbers.astype(np.int16) - self._halves, valid
 
     def motion(self, halves: Int16Array, valid: BoolArray) -> Motion | None:
@@ -291,9 +301,11 @@ class _StillScene:
 
         Pixels without change do not count, nor do the edges of objects.
         """
-        usable = (valid & (np.abs(halves) < 2 * _JUMP_RAW)).astype(np.float32)
+        usable = (valid & (np.abs(halves) < self.steps * _JUMP_RAW)).astype(np.float32)
         share = cv2.blur(usable, (_SMOOTH_PX, _SMOOTH_PX))
-        mean = cv2.blur((halves * (usable / 2)).astype(np.float32), (_SMOOTH_PX, _SMOOTH_PX))
+        mean = cv2.blur(
+            (halves * (usable / self.steps)).astype(np.float32), (_SMOOTH_PX, _SMOOTH_PX)
+        )
         mean /= np.maximum(share, 1e-6)
         changed = self._steady & (share > 0.5) & (np.abs(mean) > _CHANGED_RAW)
         lattice = slice(None, None, _EVERY_PX)
@@ -316,9 +328,9 @@ class _StillScene:
         Differences beyond `_JUMP_RAW` are the edges of objects, which flicker.
         """
         halves, valid = halves[::_ROW_STEP], valid[::_ROW_STEP]
-        usable = (valid & (np.abs(halves) < 2 * _JUMP_RAW)).astype(np.float32)
+        usable = (valid & (np.abs(halves) < self.steps * _JUMP_RAW)).astype(np.float32)
         difference = np.multiply(halves, usable, dtype=np.float32)
-        difference *= 0.5
+        difference *= 1 / self.steps
         share = _block_means(usable, _BLOCK_PX)
         wide_share = _block_means(usable, _WIDE_BLOCK_PX)
         return self._nearer_raw(difference, share), self._sideways_px(difference, wide_share)

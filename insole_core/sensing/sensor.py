@@ -11,6 +11,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, transform
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
+from insole_core.sensing.family import ACTIVE_STEREO, DIRECT_DEPTH, KINECT_V1, SensorFamily
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
 Unit = Literal["px", "raw", "mm"]
@@ -60,6 +61,11 @@ class Sensor:
         The marker groups of the reference system that this sensor sees.
     calibration
         When its parts were calibrated, and how well; empty where nobody has noted it.
+    depth_unit_mm
+        Of the numbers in the depth frames of a sensor that delivers millimetres; None for one that
+        delivers raw numbers.
+    baseline_mm
+        Of a sensor that delivers millimetres, if it is a stereo camera.
     """
 
     model: str
@@ -71,6 +77,15 @@ class Sensor:
     correction: DisparityCorrection | None = None
     faces: tuple[str, ...] = field(default_factory=tuple)
     calibration: tuple[CalibrationRecord, ...] = ()
+    depth_unit_mm: float | None = None
+    baseline_mm: float | None = None
+
+    @property
+    def family(self) -> SensorFamily:
+        """The sensors that measure as this one."""
+        if self.depth_unit_mm is None:
+            return KINECT_V1
+        return DIRECT_DEPTH if self.baseline_mm is None else ACTIVE_STEREO
 
     def calibrated(self, done: CalibrationRecord) -> Sensor:
         """Return the sensor with a step noted in place of the same step before."""

@@ -10,6 +10,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
@@ -188,8 +189,26 @@ class SensorSource:
 
     @cached_property
     def session(self) -> Session | None:
-        """Return the emulated session, if any."""
-        return None if self.emulate is None else read_session(self.emulate)
+        """Return the emulated session, if any.
+
+        Raises
+        ------
+        InputError
+            When it cannot be read, or is of other sensors than Kinects.
+        """
+        if self.emulate is None:
+            return None
+        session = read_session(self.emulate)
+        for view in session.views:
+            if view.sensor.depth_unit_mm is not None:
+                raise InputError(
+                    "{session} cannot be played back, because its view {view} was recorded by a "
+                    "{model}, not by a Kinect; reconstruct it instead.",
+                    session=session.source,
+                    view=view.name,
+                    model=view.sensor.model,
+                )
+        return session
 
     @cached_property
     def emulated_rig(self) -> EmulatedRig | None:

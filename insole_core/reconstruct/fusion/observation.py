@@ -13,12 +13,6 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.depth_view import DepthView
 
-_NOISE_RAW = 0.21
-"""Standard deviation of a mean, corrected reading on a surface that faces the sensor."""
-_SPOT_OFFSET_PX = 0.6
-"""Distance of the dots in a window from its centre (0.7 to 1 px), less the part predicted."""
-SHARED_PX = 20
-"""Number of neighbouring readings that share their error: the sensor compares 9 x 9 pixels."""
 _LEAST_COSINE = 0.2
 _OUTLIER_RAW = 8.0
 _LEAST_COSINE_OF_BOTH = 0.5
@@ -47,6 +41,8 @@ class Observations:
         Reading minus the value predicted by the mesh.
     information : (k,) float64
         Inverse variance of the readings, reduced for the error that neighbours share.
+    shared : (k,) float64
+        Number of neighbouring readings that share their error.
     terms : (k, 3) float64
         Derivative of each reading by the view's offset and tilts.
     """
@@ -54,6 +50,7 @@ class Observations:
     design: scipy.sparse.csr_array[np.float64]
     residuals: FloatArray
     information: FloatArray
+    shared: FloatArray
     terms: FloatArray
 
 
@@ -94,9 +91,11 @@ def observe(
     )
     pixel_mm = depth_mm[good] / reading.sensor.depth_camera.fx
     tangent = np.sqrt(1 / np.clip(cosine[good], 0.05, 1) ** 2 - 1)
-    variance = _NOISE_RAW**2 + (_SPOT_OFFSET_PX * slope * pixel_mm * tangent) ** 2
+    family = reading.sensor.family
+    variance = family.noise_raw**2 + (family.spot_offset_px * slope * pixel_mm * tangent) ** 2
+    shared = np.full(count, float(family.shared_px))
     view_terms = _view_terms(reading, reading.pixels.reshape(-1, 2)[hits.ray[good]])
-    return Observations(design, residuals[good], 1 / (SHARED_PX * variance), view_terms)
+    return Observations(design, residuals[good], 1 / (shared * variance), shared, view_terms)
 
 
 def _view_terms(reading: DepthView, pixels: FloatArray) -> FloatArray:

@@ -13,7 +13,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.depth_view import DepthView
-from insole_core.reconstruct.fusion.observation import SHARED_PX, Observations, observe, view_gaps
+from insole_core.reconstruct.fusion.observation import Observations, observe, view_gaps
 from insole_core.reconstruct.parallel import both, for_views
 
 _EXACT, _MOST_STEPS = 1e-6, 500
@@ -121,10 +121,12 @@ def refine(
     )
 
 
-def _robust(residuals: FloatArray, information: FloatArray, robust: float) -> FloatArray:
+def _robust(
+    residuals: FloatArray, information: FloatArray, shared: FloatArray, robust: float
+) -> FloatArray:
     """Compute the weights of residuals (Geman & McClure)."""
     # The error that the readings of a window share does not widen the spread of a single one.
-    single = residuals**2 * information * SHARED_PX
+    single = residuals**2 * information * shared
     return np.asarray(information / (1 + single / robust**2))
 
 
@@ -163,6 +165,7 @@ class _System:
     terms: FloatArray
     residuals: FloatArray
     information: FloatArray
+    shared: FloatArray
     plate: _Plate
     limits: RefinementLimits
 
@@ -173,6 +176,7 @@ class _System:
             _block_diagonal([part.terms for part in seen]),
             np.concatenate([part.residuals for part in seen]),
             np.concatenate([part.information for part in seen]),
+            np.concatenate([part.shared for part in seen]),
             plate,
             limits,
         )
@@ -189,7 +193,7 @@ class _System:
 
     def robust_weights(self, solution: FloatArray) -> FloatArray:
         residuals = self.residuals - self._predicted(solution)
-        return _robust(residuals, self.information, self.limits.robust)
+        return _robust(residuals, self.information, self.shared, self.limits.robust)
 
     def rhs(self, weights: FloatArray) -> FloatArray:
         """Compute the right-hand side of the normal equations (unknowns,)."""

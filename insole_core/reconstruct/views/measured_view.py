@@ -26,11 +26,18 @@ from insole_core.reconstruct.poses.pose_quality import (
 from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.reconstruct.result import ViewResult, placed_result
 from insole_core.reconstruct.views.coloring import steady_color
-from insole_core.reconstruct.warnings import check_still, correction_note, motion_note
+from insole_core.reconstruct.warnings import (
+    check_still,
+    check_unit,
+    correction_note,
+    lateness_note,
+    motion_note,
+)
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, ViewEdits
 from insole_core.recording.session import ReferenceSystem, View
 from insole_core.sensing.disparity import ScaledDisparity
 from insole_core.sensing.frames import RawAverage, average_raw, median_raw
+from insole_core.sensing.readings import Readings
 
 _DARK = 40
 """Brightness (of 255) exceeded by one pixel in a hundred; 140 and more in a usual picture."""
@@ -98,8 +105,9 @@ class MeasuredView:
     Parameters
     ----------
     view
-    raw : (480, 640) float64, raw units, corrected; NaN = no reading
-    depth_mm : (480, 640) float64, along z; NaN = no reading
+        With the lattice of its readings in the place of its sensor's pixels.
+    raw : (height, width) float64, raw units, corrected; NaN = no reading
+    depth_mm : (height, width) float64, along z; NaN = no reading
     color : (height, width, 3) uint8, RGB
         Of all colour frames together.
     left_out
@@ -121,7 +129,7 @@ class MeasuredView:
 
     @property
     def points(self) -> FloatArray:
-        """(480, 640, 3) points, mm, depth camera frame; large, so computed anew each time."""
+        """(height, width, 3) points, mm, depth camera frame; large, so computed anew each time."""
         return self.view.sensor.points(self.depth_mm)
 
     @cached_property
@@ -226,8 +234,11 @@ def measure_view(view: View) -> MeasuredView:
     ReconstructionError
         When most frames show motion or none holds a reading; the message is the end of a sentence.
     """
-    average = average_raw(_depth_frames(view))
+    check_unit(view)
+    readings = Readings.of(view.sensor)
+    average = average_raw(_numbers(view, readings), readings.per_raw)
     check_still(average)
+    view = replace(view, sensor=readings.sensor)
     raw, depth_mm = _depth(view, average)
     note = motion_note(view, average)
     return MeasuredView(
@@ -252,13 +263,15 @@ def used_result(measured: MeasuredView, registration: Registration, note: str = 
     """
     foreign = correction_note(measured.view.sensor)
     scale = scale_note(registration.depth_scale)
-    notes = (measured.motion_note, measured.picture_fault, foreign, scale, note)
+    late = lateness_note(measured.view)
+    notes = (measured.motion_note, measured.picture_fault, foreign, scale, late, note)
     return replace(
         placed_result(measured.view.name, registration),
         used=True,
         reason=joined(filter(None, notes), "; "),
         frames=measured.view.depth_count,
         left_out=measured.left_out,
+        family=measured.view.sensor.family,
     )
 
 
@@ -270,7 +283,10 @@ def measure_as_thesis(view: View) -> MeasuredView:
     ReconstructionError
         When no frame holds a reading; the message is the end of a sentence.
     """
-    median = median_raw(_depth_frames(view))
+    check_unit(view)
+    readings = Readings.of(view.sensor)
+    median = median_raw(_numbers(view, readings), readings.per_raw)
+    view = replace(view, sensor=readings.sensor)
     average = RawAverage(median, np.zeros_like(median), view.depth_count, (), 0.0)
     raw, depth_mm = _depth(view, average)
     whole_mm = np.asarray(np.rint(depth_mm))
@@ -289,5 +305,5 @@ def _depth(view: View, average: RawAverage) -> tuple[FloatArray, FloatArray]:
     return raw, depth_mm
 
 
-def _depth_frames(view: View) -> Iterable[RawArray]:
-    return (view.read_depth(index) for index in range(view.depth_count))
+def _numbers(view: View, readings: Readings) -> Iterable[RawArray]:
+    return (readings.numbers(view.read_depth(index)) for index in range(view.depth_count))

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from insole_core.calibration.markers.marker_survey import MarkerView
-from insole_core.calibration.walls.captures import capture_from_frames
 from insole_core.errors import CalibrationError, ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
@@ -19,6 +18,8 @@ from insole_core.reconstruct.markers.detections import Detections, locate_blobs
 from insole_core.reconstruct.poses.registration import PoseSearch
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import ReferenceSystem, View
+from insole_core.sensing.frames import mean_raw
+from insole_core.sensing.readings import Readings
 
 _NEAR_PLAN_MM = 10.0
 """Half of the least distance between two markers."""
@@ -79,10 +80,11 @@ def _views(sessions: Sequence[Path]) -> Iterator[tuple[str, str, View]]:
 
 
 def _marker_pixels(view: View, system: ReferenceSystem) -> dict[str, FloatArray]:
-    frames = (view.read_depth(index) for index in range(view.depth_count))
-    depth = view.sensor.depth_mm(capture_from_frames(view.name, frames).raw)
-    blobs = find_blobs(view.read_color(0))
-    detections = locate_blobs(blobs, view.sensor.points(depth), view.sensor)
+    readings = Readings.of(view.sensor)
+    frames = (readings.numbers(view.read_depth(index)) for index in range(view.depth_count))
+    sensor = readings.sensor
+    points = sensor.points(sensor.depth_mm(mean_raw(frames, readings.per_raw)))
+    detections = locate_blobs(find_blobs(view.read_color(0)), points, sensor)
     registration = PoseSearch(system, view.sensor).by_places(detections)
     own = {fix.id: np.array(fix.pixel) for fix in registration.fixes if fix.used}
     return own | _on_other_faces(detections, system, view, registration.sensor2reference)

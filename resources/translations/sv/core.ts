@@ -4732,6 +4732,10 @@
             <translation>en STEP-modell från ett CAD-program</translation>
         </message>
         <message>
+            <source>a colour picture was taken {apart_ms:.0f} ms before or after the depth, so what moved meanwhile is in another place; capture it again if the foot was not quite still</source>
+            <translation>en färgbild togs {apart_ms:.0f} ms före eller efter djupet, så det som rörde sig under tiden är på en annan plats; ta om den ifall foten inte var helt stilla</translation>
+        </message>
+        <message>
             <source>a device or a pipe of that name is there; choose another name</source>
             <translation>där finns en enhet eller ett rör med det namnet; välj ett annat namn</translation>
         </message>
@@ -4906,6 +4910,10 @@
         <message>
             <source>and height are {width}×{height}, but must be {allowed}</source>
             <translation>och höjd är {width}×{height}, men måste vara {allowed}</translation>
+        </message>
+        <message>
+            <source>and height are {width}×{height}, more than the pictures of a sensor have</source>
+            <translation>och höjden är {width}×{height}, mer än vad en sensors bilder har</translation>
         </message>
         <message>
             <source>angle of the sole sensors (degrees)</source>
@@ -5088,6 +5096,10 @@
             <translation>bunionett</translation>
         </message>
         <message>
+            <source>by "depth_unit_mm" in its sensor.json what it sees is {near_mm:.0f} mm away, where no foot can be; put in the unit of its depth frames</source>
+            <translation>enligt ”depth_unit_mm” i dess sensor.json är det som den ser {near_mm:.0f} mm bort, där ingen fot kan vara; ange enheten för dess djupbilder</translation>
+        </message>
+        <message>
             <source>bytes in it are cut off</source>
             <translation>byte i den är avklippta</translation>
         </message>
@@ -5238,6 +5250,10 @@
         <message>
             <source>corrections must be a list; put the corrections in [ ].</source>
             <translation>corrections måste vara en lista; sätt korrigeringarna i [ ].</translation>
+        </message>
+        <message>
+            <source>corrects disparities, but there is no "stereo" with the baseline that makes them; add it, or take out the correction</source>
+            <translation>rättar dispariteter, men det finns ingen ”stereo” med den bas som ger dem; lägg till den, eller ta bort rättningen</translation>
         </message>
         <message>
             <source>cover</source>
@@ -5896,6 +5912,10 @@
             <translation>är ”{name}” men måste vara ett filnamn utan mappar</translation>
         </message>
         <message>
+            <source>is "{side}", but the reference system "{system}" is for both feet; make it "both", or name the system for one foot that was used</source>
+            <translation>är ”{side}”, men referenssystemet ”{system}” är för båda fötterna; sätt det till ”both”, eller ange systemet för en fot som användes</translation>
+        </message>
+        <message>
             <source>is "{text}", but must be a date such as 2026-11-20T10:00:00Z</source>
             <translation>är ”{text}”, men måste vara ett datum som 2026-11-20T10:00:00Z</translation>
         </message>
@@ -5970,6 +5990,14 @@
         <message>
             <source>is no view of this session</source>
             <translation>är ingen vy i denna session</translation>
+        </message>
+        <message>
+            <source>is of a sensor that delivers millimetres, and "disparity" of one that delivers raw numbers; take out the one that is wrong</source>
+            <translation>hör till en sensor som ger millimeter, och ”disparity” till en som ger råtal; ta bort den som är fel</translation>
+        </message>
+        <message>
+            <source>is of a sensor that delivers millimetres, but "version" in manifest.json is that of a session of Kinects alone; make the version 3</source>
+            <translation>hör till en sensor som ger millimeter, men ”version” i manifest.json är den för en session med enbart Kinect; sätt versionen till 3</translation>
         </message>
         <message>
             <source>is {number}, a {is_shape} one, and must be a {shape} one; choose another</source>
@@ -8656,6 +8684,10 @@
             <translation>{name} kan inte läsas ({reason}); kontrollera disken och behörigheterna.</translation>
         </message>
         <message>
+            <source>{name} corrects another kind of sensor than this one; calibrate this sensor, or put in its own correction.</source>
+            <translation>{name} rättar en annan sorts sensor än den här; kalibrera den här sensorn, eller lägg in dess egen rättning.</translation>
+        </message>
+        <message>
             <source>{name} does not look like a last: no sole of a shoe is found on it; hand in the last as a surface with its sole.</source>
             <translation>{name} ser inte ut som en läst: ingen skosula hittas på den; lämna in lästen som en yta med sin sula.</translation>
         </message>
@@ -8752,8 +8784,8 @@
             <translation>{name}: ”{key}” måste innehålla {what}; kalibrera sensorn igen.</translation>
         </message>
         <message>
-            <source>{name}: the array "{key}" must hold 480×640 finite numbers; calibrate the sensor again.</source>
-            <translation>{name}: fältet ”{key}” måste innehålla 480×640 ändliga tal; kalibrera sensorn igen.</translation>
+            <source>{name}: the array "{key}" must hold {height}×{width} finite numbers; calibrate the sensor again.</source>
+            <translation>{name}: fältet ”{key}” måste innehålla {height}×{width} ändliga tal; kalibrera sensorn igen.</translation>
         </message>
         <message>
             <source>{name}: the array {array} is damaged, or of a kind that does not belong there; restore the file.</source>
@@ -9468,6 +9500,10 @@
             <translation>{place} har skapats av ett nyare Insole Studio (tabeller {found}; det här programmet känner dem till och med {newest}); installera den nyaste versionen.</translation>
         </message>
         <message>
+            <source>{place}: the views {first} and {second} name one sensor, {serial}, but two cameras of different kind or calibration; give each view the sensor.json of its own camera.</source>
+            <translation>{place}: vyerna {first} och {second} anger en och samma sensor, {serial}, men två kameror av olika sort eller kalibrering; ge varje vy sensor.json från dess egen kamera.</translation>
+        </message>
+        <message>
             <source>{printer} has no pattern {pattern}; choose another pattern, such as gyroid, or another printer.</source>
             <translation>{printer} har inget mönster {pattern}; välj ett annat mönster, till exempel gyroid, eller en annan skrivare.</translation>
         </message>
@@ -9526,6 +9562,10 @@
         <message>
             <source>{serial}: {step} {value:.2f} {unit}</source>
             <translation>{serial}: {step} {value:.2f} {unit}</translation>
+        </message>
+        <message>
+            <source>{session} cannot be played back, because its view {view} was recorded by a {model}, not by a Kinect; reconstruct it instead.</source>
+            <translation>{session} kan inte spelas upp, eftersom dess vy {view} togs med en {model}, inte med en Kinect; rekonstruera den i stället.</translation>
         </message>
         <message>
             <source>{session} was recorded with both feet, but no {side} foot is in its place; capture both again, or choose the {other} foot alone.</source>

@@ -43,9 +43,9 @@ def error_of(path: Path) -> str:
 
 MANIFEST: dict[str, tuple[Callable[[Json], object], str]] = {
     "other format": (lambda m: m.update(format="dicom"), 'manifest.json: format is .dicom., but'),
-    "newer": (lambda m: m.update(version=3), "version 3, which is newer than this program"),
+    "newer": (lambda m: m.update(version=4), "version 4, which is newer than this program"),
     "no version": (lambda m: m.pop("version"), "manifest.json: version is missing"),
-    "version zero": (lambda m: m.update(version=0), "version is 0, but must lie between 1 and 2"),
+    "version zero": (lambda m: m.update(version=0), "version is 0, but must lie between 1 and 3"),
     "side": (lambda m: m.update(side="both"), 'version is 1, .* one foot, but "side" is "both"'),
     "no side": (lambda m: m.pop("side"), "side is missing"),
     "date": (lambda m: m.update(recorded_at="yesterday"), 'recorded_at is "yesterday"'),

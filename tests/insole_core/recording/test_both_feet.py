@@ -56,11 +56,15 @@ def test_each_foot_has_its_own_frame_and_volume() -> None:
 
 
 BAD: dict[str, tuple[Callable[[Json], object], str]] = {
-    "version 3": (lambda m: m.update(version=3), "version 3, which is newer than this program"),
+    "version 4": (lambda m: m.update(version=4), "version 4, which is newer than this program"),
     "version 1": (lambda m: m.update(version=1), 'version is 1, .* one foot, but "side" is "both"'),
     "one side": (
         lambda m: m.update(side="left"),
         'version is 2, .* both feet, but "side" is "left"',
+    ),
+    "one foot in version 3": (
+        lambda m: m.update(version=3, side="left"),
+        'side is "left", but the reference system "lego-40" is for both feet; make it "both"',
     ),
     "one foot in version 1": (
         lambda m: m.update(version=1, side="left"),

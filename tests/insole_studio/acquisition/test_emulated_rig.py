@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import json
+import shutil
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -7,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from insole_core.errors import InputError
 from insole_core.geometry.transforms import rigid
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
@@ -18,10 +21,12 @@ from insole_core.sensing.disparity import (
 )
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
+from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.driver_values import factory_sensor, usual_sensor
 from insole_studio.acquisition.rig import OpenSensor, Rig, raw_image
 from insole_studio.acquisition.sensor_source import (
     EmulatedRig,
+    SensorSource,
     emulated_bursts,
     emulated_views,
     factory_calibration,
@@ -91,6 +96,23 @@ def test_bursts_and_places_are_told_apart(small_session: Path) -> None:
     mixed = renamed(session, ("left", "left_2", "right"), ("A", "B", "A"))
     assert emulated_views(mixed) == (("left", "A"), ("left_2", "B"), ("right", "A"))
     assert emulated_bursts(mixed) == 1
+
+
+def test_a_session_of_another_camera_is_not_played_by_a_kinect(
+    small_session: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "session"
+    shutil.unpack_archive(small_session, folder)
+    manifest, file = folder / "manifest.json", folder / "views" / "left" / "sensor.json"
+    values, camera = json.loads(manifest.read_text()), json.loads(file.read_text())
+    del camera["disparity"]
+    camera.pop("disparity_correction", None)
+    camera |= {"model": "realsense-d415", "depth_unit_mm": 1.0}
+    manifest.write_text(json.dumps(values | {"version": 3}))
+    file.write_text(json.dumps(camera))
+    source = SensorSource(SensorStore(tmp_path), folder)
+    with pytest.raises(InputError, match="its view left was recorded by a realsense-d415, not by"):
+        source.setup()
 
 
 def test_a_sensor_sees_what_its_tilt_and_its_place_show(small_session: Path) -> None:
