@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -21,7 +20,7 @@ which Bus, Haspels and Busch-Westbroek (Diabetes Care 34, 2011, 1595-1600) chose
 The clinic may have another one.
 """
 _HEEL = 0.31  # of the way from pternion to the tip of the 2nd toe
-_HEADS_FROM = 0.08  # of the length, behind and ahead of the heads' line
+_HEADS_FROM = 0.08  # of the length, behind the heads' line
 _TOES_FROM = 0.09
 _MARGIN, _BORDER = 0.05, 0.1  # behind heel and ahead of toes; beside the outermost heads
 
@@ -36,10 +35,8 @@ def region_peaks(laid: PressureMap, landmarks: Landmarks) -> dict[str, float | N
     landmarks
         Of the foot, insole frame.
     """
-    lying = laid.placement.to_insole(laid.centres_mm.reshape(-1, 2))
+    region = regions_of(laid.placement.to_insole(laid.centres_mm.reshape(-1, 2)), landmarks)
     kpa = laid.kpa.ravel()
-    at = {name: mark.point[:2] for name, mark in landmarks.items()}
-    region = _regions(lying, at)
     peaks: dict[str, float | None] = {}
     for number, name in enumerate(REGIONS):
         inside = kpa[(region == number) & np.isfinite(kpa)]
@@ -56,8 +53,17 @@ def overloaded_heads(
     )
 
 
-def _regions(points: FloatArray, at: Mapping[str, Any]) -> IntArray:
-    """(n,) number of the region of each point (n, 2); -1 behind, ahead of or beside the foot."""
+def regions_of(
+    points: FloatArray, landmarks: Landmarks, behind_heads: float = _HEADS_FROM
+) -> IntArray:
+    """Return the number in `REGIONS` of each point (n, 2), insole frame; -1 beside the foot.
+
+    Parameters
+    ----------
+    behind_heads
+        Share of the length by which the regions of the heads reach behind their line.
+    """
+    at = {name: mark.point[:2] for name, mark in landmarks.items()}
     heel_y = float(at["pternion"][1])
     length = float(at["toe_tip_2"][1]) - heel_y
     heads = np.array([at[name] for name in HEADS])
@@ -67,7 +73,7 @@ def _regions(points: FloatArray, at: Mapping[str, Any]) -> IntArray:
     region = np.full(len(points), REGIONS.index("midfoot"))
     region[points[:, 1] < heel_y + _HEEL * length] = REGIONS.index("heel")
     nearest = np.abs(points[:, None, 0] - heads[None, :, 0]).argmin(axis=1)
-    near = (along > -_HEADS_FROM * length) & (along <= _TOES_FROM * length)
+    near = (along > -behind_heads * length) & (along <= _TOES_FROM * length)
     region[near] = REGIONS.index("head_1") + nearest[near]
     toes = along > _TOES_FROM * length
     tips = np.array([at[name][0] for name in TOE_TIPS])

@@ -23,6 +23,7 @@ from insole_core.resources import resource_path
 
 FORMAT, VERSION = "insole-materials", 1
 THICKNESS, WEIGHT = ranges_of(InsoleDesign)["thickness_mm"], ranges_of(Shell)["body_weight_kg"]
+SHORE_A, MODULUS_MPA = (1.0, 90.0), (0.05, 250_000.0)
 """Limits of what a table holds."""
 
 
@@ -48,6 +49,10 @@ class Material:
         In the order of their weights.
     source
         Where the thicknesses come from.
+    shore_a
+        Hardness of a foam; None if unknown.
+    modulus_mpa
+        Young's modulus of a stiff material; None if unknown.
     """
 
     name: str
@@ -55,6 +60,8 @@ class Material:
     least_edge_mm: float
     steps: tuple[ThicknessStep, ...] = ()
     source: str = ""
+    shore_a: float | None = None
+    modulus_mpa: float | None = None
 
     def usual_mm(self, weight_kg: float) -> float | None:
         """Return the usual thickness for a body weight; None if the table has none."""
@@ -239,7 +246,11 @@ def _check_keys(content: JsonObject, known: tuple[str, ...]) -> None:
 
 
 def _to_json(material: Material) -> dict[str, object]:
-    source = {"source": material.source} if material.source else {}
+    known = {
+        "shore_a": material.shore_a,
+        "modulus_mpa": material.modulus_mpa,
+        "source": material.source or None,
+    }
     return {
         "name": material.name,
         "least_mm": material.least_mm,
@@ -249,12 +260,17 @@ def _to_json(material: Material) -> dict[str, object]:
             | {"mm": step.thickness_mm}
             for step in material.steps
         ],
-        **source,
+        **{key: value for key, value in known.items() if value is not None},
     }
 
 
+_KEYS = (
+    "name", "least_mm", "least_edge_mm", "thickness", "source", "shore_a", "modulus_mpa",
+)  # fmt: skip
+
+
 def _material(item: JsonObject) -> Material:
-    _check_keys(item, ("name", "least_mm", "least_edge_mm", "thickness", "source"))
+    _check_keys(item, _KEYS)
     least, most = THICKNESS.least, THICKNESS.greatest
     listed = item.objects("thickness")
     for step in listed:
@@ -282,4 +298,6 @@ def _material(item: JsonObject) -> Material:
         item.number("least_edge_mm", least, most),
         steps,
         item.text("source", empty=True) if item.has("source") else "",
+        item.number("shore_a", *SHORE_A) if item.has("shore_a") else None,
+        item.number("modulus_mpa", *MODULUS_MPA) if item.has("modulus_mpa") else None,
     )

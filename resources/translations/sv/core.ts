@@ -704,6 +704,10 @@
             <translation>Jämförelse av två ytor</translation>
         </message>
         <message>
+            <source>Computed by a model, in per cent, for one posture; no measurement and no promise: what a patient's foot does in the shoe only a measurement in the shoe tells.</source>
+            <translation>Beräknat av en modell, i procent, för en ställning; ingen mätning och inget löfte: vad patientens fot gör i skon visar bara en mätning i skon.</translation>
+        </message>
+        <message>
             <source>Computed every</source>
             <translation>Beräknad var</translation>
         </message>
@@ -1436,6 +1440,10 @@
             <translation>Hur mycket hälen höjs</translation>
         </message>
         <message>
+            <source>How much the material {material} gives way is not known; put its Shore A hardness or its modulus into the table of materials, or name another material.</source>
+            <translation>Hur mycket materialet {material} ger efter är inte känt; ange dess hårdhet i Shore A eller dess modul i materialtabellen, eller välj ett annat material.</translation>
+        </message>
+        <message>
             <source>How much the stroke raises or lowers</source>
             <translation>Hur mycket draget höjer eller sänker</translation>
         </message>
@@ -1888,8 +1896,16 @@
             <translation>Ingen punkt är märkt i båda bilderna; märk målen i färg och djup.</translation>
         </message>
         <message>
+            <source>No pressure on this sole has its centre where the load is; a part of the foot is missing in the scan, so scan the whole sole.</source>
+            <translation>Inget tryck på den här sulan har sin mitt där belastningen är; en del av foten saknas i skanningen, så skanna hela sulan.</translation>
+        </message>
+        <message>
             <source>No program is installed that opens {names}; they are in {folder}.</source>
             <translation>Det finns inget program som öppnar {names}; de ligger i {folder}.</translation>
+        </message>
+        <message>
+            <source>No published series has measured so much; the model overrates it.</source>
+            <translation>Ingen publicerad serie har mätt så mycket; modellen överskattar det.</translation>
         </message>
         <message>
             <source>No single toes are seen, as in a sock or where they melted together, so what lies at them is a guess; see that it is a foot, and no shoe last or prosthesis.</source>
@@ -1966,6 +1982,10 @@
         <message>
             <source>Nothing of the insole lies in the shoe "{shoe}"; choose the right shoe.</source>
             <translation>Inget av inlägget ligger i skon ”{shoe}”; välj rätt sko.</translation>
+        </message>
+        <message>
+            <source>Nothing pressed there before.</source>
+            <translation>Inget tryckte där förut.</translation>
         </message>
         <message>
             <source>Nothing was saved, because sensor {serial} could not be read again with this result; check what was given to the step and take it again: {reason}</source>
@@ -3312,6 +3332,10 @@
             <translation>Inlägget når inte till zonen {zone}.</translation>
         </message>
         <message>
+            <source>The insole is too thin there: it is compressed by more than half.</source>
+            <translation>Inlägget är för tunt där: det trycks ihop till mer än hälften.</translation>
+        </message>
+        <message>
             <source>The insole is up to {over:.1f} mm wider than the shoe {shoe}, {place}; trim it to the shoe, or take another size.</source>
             <translation>Inlägget är upp till {over:.1f} mm bredare än skon {shoe}, {place}; skär det efter skon eller ta en annan storlek.</translation>
         </message>
@@ -3644,6 +3668,14 @@
             <translation>Provpatienten behåller sitt namn och sin pseudonym, så att ingen tar den för en verklig patient.</translation>
         </message>
         <message>
+            <source>The scan does not show the toes.</source>
+            <translation>Skanningen visar inte tårna.</translation>
+        </message>
+        <message>
+            <source>The scan does not show the whole {part} of the foot, so it cannot be said how it is loaded; scan the whole sole.</source>
+            <translation>Skanningen visar inte hela delen {part} av foten, så det går inte att säga hur den belastas; skanna hela sulan.</translation>
+        </message>
+        <message>
             <source>The scan is finer than a foot needs ({millions:.1f} million triangles); it was thinned out to one point every {pitch_mm:.1f} mm.</source>
             <translation>Skanningen är finare än en fot behöver ({millions:.1f} miljoner trianglar); den glesades ut till en punkt var {pitch_mm:.1f} mm.</translation>
         </message>
@@ -3718,6 +3750,10 @@
         <message>
             <source>The shoe {shoe} leaves {room:.0f} mm before the toes of this foot, and 10 to 15 mm are usual; check the size.</source>
             <translation>Skon {shoe} lämnar {room:.0f} mm framför den här fotens tår, och 10 till 15 mm är vanligt; kontrollera storleken.</translation>
+        </message>
+        <message>
+            <source>The sole of this scan is flat, as weight makes it; how load moves can only be told from a foot that was scanned without weight on it.</source>
+            <translation>Sulan i den här skanningen är platt, som av tyngd; hur belastningen flyttas kan bara sägas för en fot som skannades utan tyngd.</translation>
         </message>
         <message>
             <source>The solid is closed.</source>
@@ -4340,6 +4376,10 @@
             <translation>Tår</translation>
         </message>
         <message>
+            <source>Toes bend at push-off, and the model does not bend them.</source>
+            <translation>Tårna böjs vid frånskjutet, och modellen böjer dem inte.</translation>
+        </message>
+        <message>
             <source>Tolerance</source>
             <translation>Tolerans</translation>
         </message>
@@ -4570,6 +4610,10 @@
         <message>
             <source>What cannot be read gets its default at the next start; the file is kept beside.</source>
             <translation>Det som inte kan läsas får sitt standardvärde vid nästa start; filen behålls bredvid.</translation>
+        </message>
+        <message>
+            <source>What is not known of the foot changes it too much.</source>
+            <translation>Det som inte är känt om foten ändrar det för mycket.</translation>
         </message>
         <message>
             <source>What it is prescribed as, a kind of the pad library; its shape if left out</source>

@@ -204,12 +204,13 @@ class MaterialsDialog(QDialog):
         before, row = self._chosen, self.list.currentRow()
         if before is None:
             return
-        self._materials[row] = Material(
-            _typed(self.name, before.name),
-            self.least.value(),
-            self.least_edge.value(),
-            self.steps.steps(),
-            _typed(self.source, before.source),
+        self._materials[row] = replace(
+            before,
+            name=_typed(self.name, before.name),
+            least_mm=self.least.value(),
+            least_edge_mm=self.least_edge.value(),
+            steps=self.steps.steps(),
+            source=_typed(self.source, before.source),
         )
         self.list.item(row).setText(self.name.text().strip())
         self._show_problem()

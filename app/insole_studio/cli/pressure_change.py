@@ -1,0 +1,222 @@
+"""``insole-studio pressure-change``: how load moves from one design to another, in per cent."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+from insole_core.errors import InputError, UsageError
+from insole_core.geometry.side import Side
+from insole_core.progress import Progress
+from insole_studio.cli import devices, foot_argument
+from insole_studio.cli.argument_parser import number
+from insole_studio.cli.path_arguments import OutputPath
+
+if TYPE_CHECKING:
+    from insole_core.contact.change import PressureChange
+    from insole_core.contact.designs import Shoe
+    from insole_core.foot.foot import Foot
+    from insole_core.insole.prescription.design import InsoleDesign
+
+    Designs: TypeAlias = tuple[InsoleDesign, InsoleDesign | None]
+
+NAME = "pressure-change"
+HELP = "tell how load moves from one design to another, in per cent, by a model"
+
+_FLATTER = "{what} a part of the weight: the sole is flatter than without, reliefs are understated."
+_A_PLACE = re.compile(r"^-\d")
+"""What begins like a negative number is a place, and no option."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments."""
+    parser._negative_number_matcher = _A_PLACE
+    parser.add_argument(
+        "foot", type=Path, metavar="FOOT", help=f"a session, or {foot_argument.A_MESH}"
+    )
+    parser.add_argument(
+        "--prescription", type=Path, required=True, metavar="NEW.json", help="the new design"
+    )
+    parser.add_argument(
+        "--against", type=Path, metavar="OLD.json", help="the old design (default: a flat shoe)"
+    )
+    parser.add_argument(
+        "--weight-kg", type=number, required=True, metavar="KG", help="weight of the person"
+    )
+    parser.add_argument("--report", action=OutputPath, required=True, metavar="change.json")
+    foot_argument.add_arguments(parser)
+    parser.add_argument(
+        "--at", type=_place, nargs="+", action="extend", default=[], metavar="X,Y",
+        help="places to tell the change at, mm, insole frame",
+    )  # fmt: skip
+    parser.add_argument(
+        "--posture", choices=["standing", "heel_strike", "push_off"], default="standing",
+        help="standing on both feet (default), or an instant of a step",
+    )  # fmt: skip
+    parser.add_argument(
+        "--shoe", choices=["rigid", "soft"], default="rigid",
+        help="below the insole: a stiff sole (default), or a midsole of foam",
+    )  # fmt: skip
+    parser.add_argument(
+        "--shore-a", type=number, metavar="A",
+        help="hardness of the foam of all insoles, whatever the designs say",
+    )  # fmt: skip
+    parser.add_argument(
+        "--materials", type=Path, metavar="materials.json",
+        help="table of materials (default: the clinic's)",
+    )  # fmt: skip
+
+
+def run(arguments: argparse.Namespace, progress: Progress) -> None:
+    """Read foot and designs, compute the change, print and write it."""
+    _check(arguments)
+    from insole_core.contact.change import SENTENCE
+    from insole_core.contact.change_report import change_report
+    from insole_core.files.atomic import write_text
+    from insole_core.files.transaction import Transaction
+
+    with Transaction() as outputs:
+        report_file = outputs.file(arguments.report)
+        new, old = _designs(arguments)
+        notes = _notes_of_session(arguments.foot)
+        reading = progress.part(0.0, 0.7)
+        foot = foot_argument.read_foot(arguments.foot, new.side, arguments, reading)
+        notes += _notes_of_foot(foot)
+        shoe = _shoe(arguments)
+        if not all(shoe.knows_material(design) for design in (new, old) if design is not None):
+            notes.append(_no_material())
+        told = _changed(foot, (new, old), shoe, arguments, progress.part(0.7, 1.0))
+        for note in notes:
+            print(f"Warning: {note}", file=sys.stderr)
+        content = change_report(told, arguments.at, notes)
+        write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", report_file)
+    _print_regions(told)
+    print(SENTENCE)
+    progress.step(1.0, f"Done: {arguments.report}")
+
+
+def _check(arguments: argparse.Namespace) -> None:
+    from insole_core.contact.change import WEIGHT_KG
+    from insole_core.insole.prescription.materials import SHORE_A
+
+    if arguments.report.suffix.lower() != ".json":
+        raise UsageError(f"--report is {arguments.report}, but the report is written as .json.")
+    if arguments.weight_kg not in WEIGHT_KG:
+        raise UsageError(
+            f"--weight-kg is {arguments.weight_kg:g}, but a person weighs {WEIGHT_KG}; correct it."
+        )
+    least, most = SHORE_A
+    if arguments.shore_a is not None and not least <= arguments.shore_a <= most:
+        raise UsageError(
+            f"--shore-a is {arguments.shore_a:g}, but it must be {least:g} to {most:g}; correct it."
+        )
+
+
+def _designs(arguments: argparse.Namespace) -> Designs:
+    from insole_core.insole.prescription.design_json import read_design
+
+    new = read_design(arguments.prescription)
+    old = None if arguments.against is None else read_design(arguments.against)
+    sides = {new.side, *([] if old is None else [old.side])}
+    if arguments.side is not None:
+        sides.add(Side(arguments.side))
+    if len(sides) > 1:
+        raise UsageError(
+            "--side and the prescriptions name different feet; the change can only be told for "
+            "one, so correct them."
+        )
+    return new, old
+
+
+def _notes_of_session(path: Path) -> list[str]:
+    """Return what a session says of the weight on the foot.
+
+    Raises
+    ------
+    InputError
+        When the whole weight was on it.
+    """
+    from insole_core.recording.reader import is_session, read_session
+    from insole_core.scans.scan_folder import holds_scans
+
+    if not is_session(path) or holds_scans(path):
+        return []
+    condition = read_session(path).manifest.capture_condition
+    weight = "none" if condition is None else condition.weight_bearing
+    if weight == "full":
+        raise InputError(
+            "{path} was recorded with the weight on the foot, whose sole is flat then; how load "
+            "moves can only be told from a foot without weight on it.",
+            path=path,
+        )
+    return [_FLATTER.format(what="The foot was recorded with")] if weight == "semi" else []
+
+
+def _notes_of_foot(foot: Foot) -> list[str]:
+    return (
+        [_FLATTER.format(what="The imprint or cast was taken under")] if foot.form.is_spread else []
+    )
+
+
+def _no_material() -> str:
+    from insole_core.contact.hardness import USUAL_SHORE_A
+
+    return (
+        f"A design names no material; foam of Shore A {USUAL_SHORE_A:g} is assumed, and the limits "
+        "allow for half and twice its stiffness. --shore-a says another hardness."
+    )
+
+
+def _shoe(arguments: argparse.Namespace) -> Shoe:
+    from insole_core.contact.designs import Shoe
+    from insole_core.contact.hardness import foam
+    from insole_core.contact.stance import SOFT_SHOE
+
+    return Shoe(
+        table=devices.materials(arguments.materials),
+        layers=SOFT_SHOE if arguments.shoe == "soft" else (),
+        body=None if arguments.shore_a is None else foam(arguments.shore_a),
+    )
+
+
+def _changed(
+    foot: Foot, designs: Designs, shoe: Shoe, arguments: argparse.Namespace, progress: Progress
+) -> PressureChange:
+    from insole_core.contact.change import Loading, pressure_change
+    from insole_core.contact.load_case import Posture
+    from insole_core.contact.stance import Sole
+
+    sole, (new, old) = Sole.of(foot), designs
+    before = shoe.floor(sole, new) if old is None else shoe.built(sole, old, progress.part(0, 0.3))
+    after = shoe.built(sole, new, progress.part(0.3, 0.6))
+    progress.step(0.6, "Loading the foot")
+    return pressure_change(
+        Loading(sole, arguments.weight_kg, Posture(arguments.posture)),
+        before,
+        after,
+        material_is_known=shoe.knows_material(new),
+        points=arguments.at,
+    )
+
+
+def _print_regions(told: PressureChange) -> None:
+    for name, one in told.regions.items():
+        if one.reason or one.percent is None or one.limits is None:
+            print(f"{name:<16} cannot tell: {one.reason}")
+        else:
+            low, high = one.limits
+            print(f"{name:<16} {one.percent:+.0f} % ({low:+.0f} to {high:+.0f})")
+
+
+def _place(text: str) -> tuple[float, float]:
+    try:
+        x, y = (number(part) for part in text.split(","))
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no place; give x and y in mm, such as 12,150"
+        ) from error
+    return x, y

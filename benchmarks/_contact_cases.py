@@ -1,0 +1,121 @@
+"""Contacts with known pressures: closed forms, and a published series on the heel."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from insole_core.contact.elastic_layers import Layer
+from insole_core.contact.hardness import foam
+from insole_core.contact.pressing import Bed, Support
+from insole_core.contact.tissue import Tissue
+from insole_core.geometry.arrays import FloatArray
+
+_ROOM = 4.0
+_LOAD_N = 10.0
+HAYES = {
+    0.30: {0.2: 1.207, 0.4: 1.472, 0.6: 1.784, 1.0: 2.480, 2.0: 4.336},
+    0.45: {0.2: 1.252, 0.4: 1.599, 0.6: 2.031, 1.0: 3.085, 2.0: 6.380},
+}
+"""Stiffness of a flat round punch on a bonded layer against that on a half-space, by Poisson's
+ratio and radius / thickness: Hayes, Keer, Herrmann and Mockros, J. Biomech. 5, 1972, 541-551."""
+
+
+def _bedded(n: int, step_mm: float, layer: Layer) -> Support:
+    return Support((n, n), step_mm, [Bed((layer,), np.ones((n, n)))], _ROOM)
+
+
+def punch_stiffness(poisson: float, radius_by_thickness: float, nodes: int) -> float:
+    """Return what `HAYES` holds, from a punch of so many nodes in its radius."""
+    n = 2 * nodes + 3
+    away = np.arange(n) - (n - 1) / 2
+    inside = np.hypot(away[:, None], away) <= nodes
+    radius = float(np.sqrt(inside.sum() / np.pi))  # of the area that is pressed
+    layer = Layer(radius / radius_by_thickness, 0.5, poisson)
+    centre = (n - 1) / 2
+    gap = np.where(inside, 0.0, np.nan)
+    pressed = _bedded(n, 1.0, layer).press(gap, _LOAD_N, (centre, centre))
+    return _LOAD_N * (1 - poisson**2) / (2 * radius * layer.modulus_mpa * pressed.sinking_mm)
+
+
+def sphere_load_ratio(radius_mm: float, layer: Layer, load_n: float, step_mm: float) -> float:
+    """Return the load on a sphere against that of Dimitriadis for the sinking that is found.
+
+    Dimitriadis, Horkay, Maresca, Kachar and Chadwick, Biophys. J. 82, 2002, 2798-2810: a series in
+    sqrt(radius * sinking) / thickness for a bonded layer, whose first term is Hertz's.
+    """
+    reach = 1.7 * (0.75 * load_n * radius_mm / layer.modulus_mpa) ** (1 / 3)
+    n = 2 * int(reach / step_mm) + 1
+    x = step_mm * (np.arange(n) - (n - 1) / 2)
+    gap = (x[:, None] ** 2 + x**2) / (2 * radius_mm)
+    centre = (n - 1) / 2 * step_mm
+    sunk = _bedded(n, step_mm, layer).press(gap, load_n, (centre, centre)).sinking_mm
+    return load_n / _dimitriadis(radius_mm, layer, sunk)
+
+
+def _dimitriadis(radius_mm: float, layer: Layer, sunk_mm: float) -> float:
+    v, chi = layer.poisson, np.sqrt(radius_mm * sunk_mm) / layer.thickness_mm
+    a = -(1.2876 - 1.4678 * v + 1.3442 * v**2) / (1 - v)
+    b = (0.6387 - 1.0277 * v + 1.5164 * v**2) / (1 - v)
+    third = a**3 + 4 * np.pi**2 / 15 * b
+    fourth = a * (a**3 + 3 * np.pi**2 / 5 * b)
+    series = 1 - 2 * a / np.pi * chi + 4 * a**2 / np.pi**2 * chi**2
+    series += -8 / np.pi**3 * third * chi**3 + 16 / np.pi**4 * fourth * chi**4
+    hertz = 4 * layer.modulus_mpa / (3 * (1 - v**2)) * np.sqrt(radius_mm) * sunk_mm**1.5
+    return float(hertz * series)
+
+
+CONFORMITIES = {"flat": 0.0, "half": 5.0, "full": 12.0}
+"""Height of a heel's cup, mm."""
+THICKNESSES_MM = (6.3, 9.5, 12.7)
+MATERIALS_MPA = {"Poron Cushioning": 0.3, "Microcel Puff Lite": 0.6, "Microcel Puff": 1.0}
+"""Moduli are of open-celled polyurethane and of crosslinked foams of Shore A about 20 and 30."""
+_HALF_MM, _HEEL_RADIUS_MM = 40, 38.0
+_SECTION_LOAD = 8.0
+"""N per mm of a section: early support."""
+
+
+@dataclass(frozen=True)
+class HeelInsole:
+    """An insole under a section of a heel; a thickness of 0 is the bare floor."""
+
+    conformity_mm: float = 0.0
+    thickness_mm: float = 0.0
+    modulus_mpa: float = 1.0
+
+
+def heel_peak_kpa(insole: HeelInsole) -> float:
+    """Return the peak pressure of a section of a heel in plane strain, as Goske's, on an insole."""
+    x = np.arange(-_HALF_MM, _HALF_MM + 1.0)
+    slope = np.clip(np.abs(x) / _HEEL_RADIUS_MM, 0, 0.99)
+    sole = _HEEL_RADIUS_MM * (1 - np.sqrt(1 - slope**2))
+    upright = np.sqrt(1 - slope**2)
+    top = np.minimum(sole, insole.conformity_mm)
+    gap = np.where(upright > 0.5, sole - top, np.nan)[None]
+    tissue = Tissue().layers[0]
+    beds = [Bed((tissue,), (1 / upright)[None], tissue.thickness_mm)]
+    if insole.thickness_mm:
+        beds += _insole_beds(insole, top[None])
+    support = Support((1, len(x)), 1.0, beds)
+    return float(support.press(gap, _SECTION_LOAD, (_HALF_MM, 0.0)).mpa.max() * 1000)
+
+
+def _insole_beds(insole: HeelInsole, top: FloatArray) -> list[Bed]:
+    thin = Layer(insole.thickness_mm, insole.modulus_mpa, foam(35).poisson)
+    beds = [Bed((thin,), np.ones_like(top))]
+    if insole.conformity_mm:
+        thick = replace(thin, thickness_mm=insole.thickness_mm + insole.conformity_mm)
+        beds.append(Bed((thick,), top / insole.conformity_mm, counted=(thin,)))
+    return beds
+
+
+def heel_reliefs() -> dict[tuple[str, float, str], float]:
+    """Return the change of the peak, %, against the bare floor, of each of the 27 designs."""
+    bare = heel_peak_kpa(HeelInsole())
+    return {
+        (form, mm, material): 100 * (heel_peak_kpa(HeelInsole(cup, mm, mpa)) / bare - 1)
+        for form, cup in CONFORMITIES.items()
+        for mm in THICKNESSES_MM
+        for material, mpa in MATERIALS_MPA.items()
+    }

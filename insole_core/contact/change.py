@@ -1,0 +1,394 @@
+"""What a design changes of the pressure under a foot, in per cent, and how sure that is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+import scipy
+
+from insole_core.contact.load_case import LOAD_CASES, LoadCase, Posture
+from insole_core.contact.pressing import Pressed
+from insole_core.contact.stance import Ground, Sole, stand
+from insole_core.contact.tissue import Tissue
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.insole.fields import Place, Range
+from insole_core.messages import Message
+from insole_core.pressure.laid_map import LOADED_KPA
+from insole_core.pressure.regions import REGIONS, regions_of
+
+SENTENCE = Message(
+    "Computed by a model, in per cent, for one posture; no measurement and no promise: what a "
+    "patient's foot does in the shoe only a measurement in the shoe tells."
+)
+"""Stands under every picture, table and print of a change."""
+HEADS = tuple(f"head_{number}" for number in range(1, 6))
+GROUPS = {
+    "heel": ("heel",),
+    "midfoot": ("midfoot",),
+    "metatarsal_heads": HEADS,
+    "toes": ("hallux", "lesser_toes"),
+    **{head: (head,) for head in HEADS},
+}
+"""Names of what is reported, and the regions of the sole in each."""
+WEIGHT_KG = Range(5, 250, "kg")
+_BEHIND_HEADS = 0.04
+"""Share of the length: pads press behind the heads, and relieve the heads themselves."""
+_SENSOR_MM = 10.0
+"""Side of a usual sensor: peaks are those of the mean over so much, as a measurement shows them."""
+_MODEL_SHARE, _MODEL_POINTS = 0.2, 2.0
+"""Standard deviation of the model itself: a share of each change, and points of per cent. By it,
+published series lie within the limits; see the page on pressure changes."""
+_NORMAL_95 = 1.96
+_WIDEST_POINTS = 45.0
+"""Half the width of limits from which on nothing is told."""
+_PUBLISHED = (-67.0, 110.0)
+"""The greatest changes of published series, and 10 points; the model overrates what is beyond:
+reliefs up to 57 % (Chen, Ju and Tang, Clin. Biomech. 18, 2003), and twice the pressure on a pad."""
+_SAME = 1e-6
+_DENSE = 0.5
+"""Strain from which on foams are stiffer than they are taken to be."""
+
+
+@dataclass(frozen=True)
+class Assumptions:
+    """What is not known of a person, as far as it counts.
+
+    Parameters
+    ----------
+    tissue
+    softer
+        How many times lower than by its hardness the modulus of the insole is.
+    moved_mm
+        Of the load's centre, from where it usually is: medially and ahead.
+    heavier
+        Load, in multiples of the usual share of the weight.
+    """
+
+    tissue: Tissue = field(default_factory=Tissue)
+    softer: float = 1.0
+    moved_mm: tuple[float, float] = (0.0, 0.0)
+    heavier: float = 1.0
+
+    def varied(self, *, material_is_known: bool) -> Iterator[Assumptions]:
+        """Give the assumptions with one of them off by a standard deviation at a time."""
+        tissue = self.tissue
+        yield replace(self, tissue=tissue.scaled(heel=1.35))
+        yield replace(self, tissue=tissue.scaled(forefoot=1.35))
+        yield replace(self, tissue=tissue.scaled(arch=2.0))
+        yield replace(self, tissue=tissue.scaled(thickness=1.2))
+        yield replace(self, softer=self.softer * (1.3 if material_is_known else 2.0))
+        medial, ahead = self.moved_mm
+        yield replace(self, moved_mm=(medial, ahead + 8.0))
+        yield replace(self, moved_mm=(medial + 4.0, ahead))
+        yield replace(self, heavier=self.heavier * 1.1)
+
+
+@dataclass(frozen=True)
+class Loading:
+    """A foot, its load and posture.
+
+    Parameters
+    ----------
+    sole
+    weight_kg
+        Of the person.
+    posture
+    """
+
+    sole: Sole
+    weight_kg: float
+    posture: Posture = Posture.STANDING
+
+    @property
+    def case(self) -> LoadCase:
+        """Load and centre of the posture."""
+        return LOAD_CASES[self.posture]
+
+    @property
+    def load_n(self) -> float:
+        """On this foot."""
+        return self.case.load_n(self.weight_kg)
+
+    def pressed(
+        self, ground: Ground, assumed: Assumptions, start: FloatArray | None = None
+    ) -> Pressed:
+        """Load the foot on a ground.
+
+        Raises
+        ------
+        InputError
+            When no pressure on the sole has the centre of the posture.
+        """
+        foot = self.sole.foot
+        medial_mm, ahead_mm = assumed.moved_mm
+        centre = (
+            medial_mm * foot.side.medial_sign,
+            self.case.centre_share * foot.length_mm + ahead_mm,
+        )
+        load_n = self.load_n * assumed.heavier
+        under = ground.softer(assumed.softer)
+        return stand(self.sole, under, load_n, centre, assumed.tissue, start=start)
+
+
+@dataclass(frozen=True)
+class RegionChange:
+    """Change of the peak pressure and of the load in a region, per cent.
+
+    Parameters
+    ----------
+    peak_percent, load_percent
+        None where nothing pressed before.
+    """
+
+    peak_percent: float | None
+    load_percent: float | None
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """The pressures on two grounds.
+
+    Parameters
+    ----------
+    sole
+    old, new
+    """
+
+    sole: Sole
+    old: Pressed
+    new: Pressed
+
+    @cached_property
+    def old_kpa(self) -> FloatArray:
+        """(ny, nx) as sensors show it."""
+        return _as_sensed(self.sole, self.old.mpa)
+
+    @cached_property
+    def new_kpa(self) -> FloatArray:
+        """(ny, nx) as sensors show it."""
+        return _as_sensed(self.sole, self.new.mpa)
+
+    @cached_property
+    def percent(self) -> FloatArray:
+        """(ny, nx) change of the pressure; NaN where nothing pressed before or is sole."""
+        told = self.sole.known & (self.old_kpa >= LOADED_KPA)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(told, 100 * (self.new_kpa / self.old_kpa - 1), np.nan)
+
+    @property
+    def areas_mm2(self) -> tuple[float, float]:
+        """Area of contact before and after."""
+        cell = self.sole.field.step_mm**2
+        return float((self.old.mpa > 0).sum() * cell), float((self.new.mpa > 0).sum() * cell)
+
+    def of(self, name: str) -> RegionChange:
+        """Return the change of one of `GROUPS`."""
+        inside = self._inside(name)
+        old, new = self.peaks_kpa(name)
+        if old < LOADED_KPA:
+            return RegionChange(None, None)
+        before, after = self.old.mpa[inside].sum(), self.new.mpa[inside].sum()
+        load = float(100 * (after / before - 1)) if before > 0 else None
+        return RegionChange(100 * (new / old - 1), load)
+
+    def peaks_kpa(self, name: str) -> tuple[float, float]:
+        """Return the peak pressures of one of `GROUPS` before and after, as sensors show them."""
+        inside = self._inside(name)
+        old, new = (kpa[inside].max(initial=0.0) for kpa in (self.old_kpa, self.new_kpa))
+        return float(old), float(new)
+
+    def at(self, xy: Place) -> float | None:
+        """Return the change at a place, mm, insole frame; None where nothing pressed there."""
+        percent = float(replace(self.sole.field, heights_mm=self.percent).height_at(np.array(xy)))
+        return percent if np.isfinite(percent) else None
+
+    def densified(self, name: str, ground: Ground) -> bool:
+        """Return whether the insole is so compressed in a region that its foam gets stiffer."""
+        inside = self._inside(name) & (ground.thickness_mm > 0) & (self.new.mpa > 0)
+        strain = self.new.sunk_mm[inside] / ground.thickness_mm[inside]
+        return bool((strain > _DENSE).any())
+
+    def _inside(self, name: str) -> BoolArray:
+        numbers = [REGIONS.index(region) for region in GROUPS[name]]
+        return np.isin(_numbers(self.sole), numbers) & self.sole.known
+
+
+def _numbers(sole: Sole) -> IntArray:
+    """(ny, nx) numbers of the regions; cached with the foot."""
+    foot, grid = sole.foot, sole.field.grid
+
+    def find() -> IntArray:
+        marks = find_landmarks(foot)
+        numbers = regions_of(sole.field.nodes[:, :2], marks, _BEHIND_HEADS)
+        return numbers.reshape(sole.known.shape)
+
+    return foot.derived.get("sole regions", (grid,), find)
+
+
+def _as_sensed(sole: Sole, mpa: FloatArray) -> FloatArray:
+    """(ny, nx) kPa, mean over squares of `_SENSOR_MM` about each node, whatever the grid's step."""
+    steps = _SENSOR_MM / sole.field.step_mm
+    whole = 2 * int((steps - 1) // 2) + 1
+    inner = scipy.ndimage.uniform_filter(mpa, whole, mode="constant")
+    outer = scipy.ndimage.uniform_filter(mpa, whole + 2, mode="constant")
+    share = (steps**2 - whole**2) / ((whole + 2) ** 2 - whole**2)
+    by_area = (1 - share) * whole**2 * inner + share * (whole + 2) ** 2 * outer
+    return np.asarray(1000 * by_area / steps**2)
+
+
+_NONE = Message("")
+
+
+@dataclass(frozen=True)
+class Told:
+    """The change of a region or at a point, with the limits it has at 95 %.
+
+    Parameters
+    ----------
+    percent, limits
+        Of the peak pressure; None where there is none.
+    load_percent
+        Of the whole load in a region.
+    reason
+        Why it cannot be told, whatever was computed; empty where it can.
+    """
+
+    percent: float | None
+    limits: tuple[float, float] | None
+    load_percent: float | None = None
+    reason: Message = _NONE
+
+
+@dataclass(frozen=True, eq=False)
+class PressureChange:
+    """How load moves from one ground to another.
+
+    Parameters
+    ----------
+    loading
+    change
+        With the usual assumptions.
+    regions
+        By the names in `GROUPS`.
+    points
+        In the order of those asked for.
+    """
+
+    loading: Loading
+    change: Change
+    regions: dict[str, Told]
+    points: tuple[Told, ...]
+
+    @property
+    def cannot_tell(self) -> tuple[str, ...]:
+        """Names of the regions of which nothing can be told."""
+        return tuple(name for name, told in self.regions.items() if told.reason)
+
+
+def changed(
+    loading: Loading,
+    old: Ground,
+    new: Ground,
+    assumed: Assumptions,
+    before: Change | None = None,
+) -> Change:
+    """Compute the pressures on two grounds, without their uncertainty; fast enough for a drag.
+
+    Parameters
+    ----------
+    before
+        Of much the same grounds, to start from; its old pressures are taken where `old` is.
+    """
+    start = (None, None) if before is None else (before.old.mpa, before.new.mpa)
+    return Change(
+        loading.sole,
+        loading.pressed(old, assumed, start[0]),
+        loading.pressed(new, assumed, start[1]),
+    )
+
+
+def pressure_change(
+    loading: Loading,
+    old: Ground,
+    new: Ground,
+    *,
+    material_is_known: bool = True,
+    points: Sequence[Place] = (),
+    assumed: Assumptions | None = None,
+    known: Change | None = None,
+) -> PressureChange:
+    """Compute how load moves, and how sure that is.
+
+    The assumptions are varied one at a time, and the model's own deviation from published series
+    is added.
+
+    Parameters
+    ----------
+    old, new
+        What the foot stood on, and what it will stand on.
+    material_is_known
+        Whether the hardness of the insole is, or a usual one is taken.
+    points
+        Places (x, y), mm, insole frame.
+    assumed
+        By default those for anybody.
+    known
+        The change with these assumptions, where it is computed already.
+
+    Raises
+    ------
+    InputError
+        When no pressure on the sole has the centre of the posture.
+    """
+    assumed = assumed or Assumptions()
+    usual = known or changed(loading, old, new, assumed)
+    varied = [
+        changed(loading, old, new, other, usual)
+        for other in assumed.varied(material_is_known=material_is_known)
+    ]
+    regions = {}
+    for name in GROUPS:
+        here = usual.of(name)
+        others = [one.of(name).peak_percent for one in varied]
+        reason = _reason(loading, usual, new, name)
+        regions[name] = _told(here.peak_percent, others, reason, here.load_percent)
+    at = tuple(_told(usual.at(xy), [one.at(xy) for one in varied]) for xy in points)
+    return PressureChange(loading, usual, regions, at)
+
+
+_NOT_LOADED = Message("Nothing pressed there before.")
+
+
+def _reason(loading: Loading, usual: Change, new: Ground, name: str) -> Message:
+    """Return why nothing can be told of a region, whatever is computed, or an empty text."""
+    if name == "toes" and not loading.sole.has_toes:
+        return Message("The scan does not show the toes.")
+    if name == "toes" and loading.posture is Posture.PUSH_OFF:
+        return Message("Toes bend at push-off, and the model does not bend them.")
+    if usual.densified(name, new):
+        return Message("The insole is too thin there: it is compressed by more than half.")
+    return _NONE
+
+
+def _told(
+    percent: float | None,
+    others: Sequence[float | None],
+    reason: Message = _NONE,
+    load_percent: float | None = None,
+) -> Told:
+    if percent is None:
+        return Told(None, None, None, reason or _NOT_LOADED)
+    off = np.array([0.0 if other is None else other - percent for other in others])
+    if max(abs(percent), np.abs(off).max()) < _SAME:
+        return Told(0.0, (0.0, 0.0), load_percent, reason)
+    model = _MODEL_POINTS + _MODEL_SHARE * abs(percent)
+    half = _NORMAL_95 * float(np.sqrt(model**2 + (off * off).sum()))
+    if not reason and half > max(_WIDEST_POINTS, abs(percent)):
+        reason = Message("What is not known of the foot changes it too much.")
+    if not reason and not _PUBLISHED[0] <= percent <= _PUBLISHED[1]:
+        reason = Message("No published series has measured so much; the model overrates it.")
+    return Told(percent, (max(percent - half, -100.0), percent + half), load_percent, reason)

@@ -1,0 +1,50 @@
+"""The change of the pressure as JSON, in the contract's form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from insole_core.contact.change import SENTENCE, PressureChange, Told
+from insole_core.insole.fields import Place
+
+
+def change_report(
+    told: PressureChange, points: Sequence[Place], notes: Sequence[str] = ()
+) -> dict[str, Any]:
+    """Return what is told of a change, in the insole frame.
+
+    Parameters
+    ----------
+    points
+        Those that were asked for, mm.
+    notes
+        What was assumed, a sentence each.
+    """
+    old_mm2, new_mm2 = told.change.areas_mm2
+    return {
+        "total_load_N": round(float(told.loading.load_n), 3),
+        "posture": str(told.loading.posture),
+        "regions": {name: _region(one) for name, one in told.regions.items()},
+        "points": [
+            {"x_mm": float(x), "y_mm": float(y), **_told(one)}
+            for (x, y), one in zip(points, told.points, strict=True)
+        ],
+        "contact_area_mm2": {"old": round(old_mm2, 1), "new": round(new_mm2, 1)},
+        "cannot_tell": list(told.cannot_tell),
+        "reasons": {name: str(one.reason) for name, one in told.regions.items() if one.reason},
+        "notes": [*notes, str(SENTENCE)],
+    }
+
+
+def _region(told: Told) -> dict[str, Any]:
+    return {**_told(told), "load_change_percent": _rounded(told.load_percent)}
+
+
+def _told(told: Told) -> dict[str, Any]:
+    limits = None if told.limits is None else [_rounded(limit) for limit in told.limits]
+    return {"change_percent": _rounded(told.percent), "limits_95": limits}
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else round(value, 2)

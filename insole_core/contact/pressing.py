@@ -1,0 +1,273 @@
+"""Press a rigid bone with soft tissue on layers: where it touches, and how hard.
+
+At a node the beds sink by what presses on it and around it. The pressure is found that is nowhere
+negative, is zero where a gap is left, and adds up to the load about its centre; sinking and two
+tilts of the bone follow. What touches is sought by an active set (as Hintermüller, Ito and
+Kunisch, SIAM J. Optim. 13, 2002), its pressures by conjugate gradients, and the sinking by Fourier
+transforms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+
+from insole_core.contact.elastic_layers import Layer, compliance
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import BoolArray, FloatArray
+
+BESIDE = 2.0
+"""Room beside a grid, in thicknesses of the thickest stack, in which what a load makes sink fades
+out before it comes round again; enough for all that gives way sideways as easily as a foot does."""
+_TABLE = 600
+_LEAST_TISSUE_MM = 1e-3
+_ROUNDS, _STEPS = 40, 80
+_ROUGH, _FINE = 3e-2, 1e-3
+"""What is left of overlaps and gaps where all should touch, as a share of what the load makes sink:
+while it is still sought what touches, and at the end."""
+_FEW = 0.02
+"""Share of what touches that may still change when the fine search begins."""
+_SLIGHT = 1e-3
+"""Of the greatest pressure and sinking: less of it, of the wrong sign, changes nothing."""
+_SAME = 2e-3
+"""Strain of the tissue that may still change."""
+
+
+@dataclass(frozen=True, eq=False)
+class Bed:
+    """A stack of layers below a part of a grid.
+
+    Parameters
+    ----------
+    layers
+        From the loaded face down.
+    share : (ny, nx) float64
+        How much each node has of this bed.
+    tissue_mm
+        Thickness of tissue, whose pressure goes with its strain e as e / (1 - e); 0 for what is
+        linear.
+    counted
+        Layers whose part of the sinking another bed gives already.
+    """
+
+    layers: tuple[Layer, ...]
+    share: FloatArray
+    tissue_mm: float = 0.0
+    counted: tuple[Layer, ...] = ()
+
+    @property
+    def thickness_mm(self) -> float:
+        """Of all layers."""
+        return sum(layer.thickness_mm for layer in self.layers)
+
+    def compliance(self, wave_number: FloatArray) -> FloatArray:
+        """(n,) sinking, mm/MPa, under pressures that vary along the face."""
+        whole = compliance(self.layers, wave_number)
+        return np.maximum(whole - compliance(self.counted, wave_number), 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Pressed:
+    """A foot that is pressed on its support.
+
+    Parameters
+    ----------
+    mpa : (ny, nx) float64
+        Pressure at the nodes, nowhere negative; its sum is the load.
+    sunk_mm : (ny, nx) float64
+        How far the beds that are no tissue have sunk.
+    sinking_mm
+        Of the bone at the load's centre.
+    slope
+        Of the bone, along x and y.
+    """
+
+    mpa: FloatArray
+    sunk_mm: FloatArray
+    sinking_mm: float
+    slope: tuple[float, float]
+
+
+class Support:
+    """All that gives way under a bone, its tissue included, on a grid of nodes.
+
+    Parameters
+    ----------
+    shape
+        Rows and columns of the grid; a single row is a section of something long.
+    step_mm
+        Distance of the nodes.
+    beds
+    beside
+        As `BESIDE`.
+    """
+
+    def __init__(
+        self, shape: tuple[int, int], step_mm: float, beds: Sequence[Bed], beside: float = BESIDE
+    ) -> None:
+        self.shape, self.step_mm = shape, step_mm
+        room = int(np.ceil(beside * max(bed.thickness_mm for bed in beds) / step_mm))
+        self._padded = tuple(
+            1 if n == 1 else scipy.fft.next_fast_len(n + room, real=True) for n in shape
+        )
+        along = 2 * np.pi * np.fft.fftfreq(self._padded[0], step_mm)
+        across = 2 * np.pi * np.fft.rfftfreq(self._padded[1], step_mm)
+        wave_number = np.hypot(along[:, None], across)
+        table = np.linspace(0.0, wave_number.max(), _TABLE)
+        self._spectra = np.stack(
+            [np.interp(wave_number, table, bed.compliance(table)) for bed in beds]
+        )
+        shares = np.stack([bed.share for bed in beds])
+        thickness = np.array([bed.tissue_mm for bed in beds])
+        self._roots, self._is_tissue = np.sqrt(shares), thickness > 0
+        self._tissue_mm = np.maximum(np.tensordot(thickness, shares, 1), _LEAST_TISSUE_MM)
+
+    def roots(self, strain: FloatArray) -> FloatArray:
+        """(beds, ny, nx) square roots of what gives way, with tissue strained by (ny, nx)."""
+        softness = np.where(self._is_tissue[:, None, None], np.sqrt(1 - strain), 1.0)
+        return np.asarray(self._roots * softness)
+
+    def sunk(self, mpa: FloatArray, roots: FloatArray) -> FloatArray:
+        """(beds, ny, nx) how far each bed sinks under pressures (ny, nx), mm."""
+        rows, columns = self.shape
+        loads = scipy.fft.rfft2(mpa * roots, self._padded)
+        sunk = scipy.fft.irfft2(loads * self._spectra, self._padded)
+        return np.asarray(roots * sunk[:, :rows, :columns])
+
+    def strain(self, sunk: FloatArray, before: FloatArray) -> FloatArray:
+        """(ny, nx) strain of tissue that has sunk, as stiff as with a strain before.
+
+        Without stiffening it would sink by v; with the thickness h its strain is v / (h + v), so
+        that the pressure goes as e / (1 - e).
+        """
+        v = np.maximum(sunk[self._is_tissue].sum(axis=0), 0.0) / (1 - before)
+        return np.asarray(v / (self._tissue_mm + v))
+
+    def layers_sunk(self, sunk: FloatArray) -> FloatArray:
+        """(ny, nx) how far all that is no tissue has sunk, of what each bed has."""
+        return np.asarray(sunk[~self._is_tissue].sum(axis=0))
+
+    def press(
+        self,
+        gap_mm: FloatArray,
+        load_n: float,
+        centre_mm: tuple[float, float],
+        start: FloatArray | None = None,
+    ) -> Pressed:
+        """Find the pressures under a load.
+
+        Parameters
+        ----------
+        gap_mm : (ny, nx) float64
+            Height of the sole over its support before it is pressed, up to a constant and two
+            tilts; NaN where there is no sole.
+        load_n
+        centre_mm
+            Of the load, along columns and rows from the first node.
+        start : (ny, nx) float64
+            Pressures to start from, of a support much like this one.
+
+        Raises
+        ------
+        InputError
+            When no pressure has this centre.
+        """
+        return _Search(self, gap_mm, load_n, centre_mm).found(start)
+
+
+class _Search:
+    def __init__(
+        self, support: Support, gap_mm: FloatArray, load_n: float, centre_mm: tuple[float, float]
+    ) -> None:
+        self._support = support
+        self._sole: BoolArray = np.isfinite(gap_mm)
+        self._gap = np.where(self._sole, gap_mm, 0.0)
+        rows, columns = support.shape
+        self._length = max(rows, columns) * support.step_mm
+        x = (support.step_mm * np.arange(columns) - centre_mm[0]) / self._length
+        y = (support.step_mm * np.arange(rows) - centre_mm[1]) / self._length
+        across, along = np.broadcast_arrays(x, y[:, None])
+        self._motions = np.stack([np.ones(support.shape), across, along])
+        self._sums = np.array([load_n / support.step_mm ** (2 if rows > 1 else 1), 0.0, 0.0])
+
+    def found(self, start: FloatArray | None) -> Pressed:
+        support = self._support
+        touches = self._sole if start is None else self._sole & (start > 0)
+        mpa = np.zeros(support.shape) if start is None else start
+        strain, fine = np.zeros(support.shape), False
+        for _ in range(_ROUNDS):
+            roots = support.roots(strain)
+            mpa = self._balanced(mpa, touches, roots, _FINE if fine else _ROUGH)
+            beds = support.sunk(mpa, roots)
+            sunk = beds.sum(axis=0)
+            motion = self._onto_motions(touches, self._gap + sunk)
+            overlap = np.tensordot(motion, self._motions, 1) - self._gap - sunk
+            stays, joins = mpa > -_SLIGHT * mpa.max(), overlap > _SLIGHT * sunk.max()
+            after = self._sole & np.where(touches, stays, joins)
+            changed, touches = int((after != touches).sum()), after
+            before, strain = strain, support.strain(beds, strain)
+            if fine and changed == 0 and np.abs(strain - before).max() < _SAME:
+                break
+            fine = changed <= _FEW * touches.sum()
+        mpa = np.maximum(mpa, 0.0)
+        mpa *= self._sums[0] / mpa.sum()
+        self._check_centre(mpa)
+        slope = float(motion[1] / self._length), float(motion[2] / self._length)
+        return Pressed(mpa, support.layers_sunk(beds), float(motion[0]), slope)
+
+    def _balanced(
+        self, mpa: FloatArray, touches: BoolArray, roots: FloatArray, left_over: float
+    ) -> FloatArray:
+        """Return the pressures under which what touches lies together; some may be negative.
+
+        Every step of the conjugate gradients keeps load and centre.
+        """
+        motions = self._motions * touches
+        inverse = _inverse(motions)
+
+        def without_motion(heights: FloatArray) -> FloatArray:
+            share = inverse @ np.tensordot(motions, heights, 2)
+            return np.asarray(heights - np.tensordot(share, motions, 1))
+
+        mpa = mpa * touches
+        missing = self._sums - np.tensordot(motions, mpa, 2)
+        mpa = mpa + np.tensordot(inverse @ missing, motions, 1)
+        sunk = self._support.sunk(mpa, roots).sum(axis=0) * touches
+        least = left_over**2 * _square(sunk)
+        left = without_motion(-self._gap * touches - sunk)
+        way, size = left, _square(left)
+        for _ in range(_STEPS):
+            if size <= least:
+                break
+            answer = self._support.sunk(way, roots).sum(axis=0) * touches
+            along = size / float((way * answer).sum())
+            mpa = mpa + along * way
+            left = without_motion(left - along * answer)
+            before, size = size, _square(left)
+            way = left + (size / before) * way
+        return np.asarray(mpa)
+
+    def _onto_motions(self, touches: BoolArray, heights: FloatArray) -> FloatArray:
+        """(3,) sinking and tilts at which the bone lies on heights that touch."""
+        motions = self._motions * touches
+        return np.asarray(_inverse(motions) @ np.tensordot(motions, heights, 2))
+
+    def _check_centre(self, mpa: FloatArray) -> None:
+        off = np.tensordot(self._motions[1:], mpa, 2) / mpa.sum() * self._length
+        if not np.abs(off).max() < self._support.step_mm:
+            raise InputError(
+                "No pressure on this sole has its centre where the load is; a part of the foot is "
+                "missing in the scan, so scan the whole sole."
+            )
+
+
+def _inverse(motions: FloatArray) -> FloatArray:
+    gram = np.tensordot(motions, motions, ((1, 2), (1, 2)))
+    return np.asarray(np.linalg.pinv(gram, hermitian=True))
+
+
+def _square(values: FloatArray) -> float:
+    return float((values * values).sum())

@@ -1,0 +1,201 @@
+"""How load moves from one ground to another under a foot."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from insole_core.contact.change import (
+    GROUPS,
+    Assumptions,
+    Change,
+    Loading,
+    changed,
+    pressure_change,
+)
+from insole_core.contact.designs import Shoe
+from insole_core.contact.hardness import body_of, foam, modulus_of_shore_a
+from insole_core.contact.load_case import Posture
+from insole_core.contact.stance import SOFT_SHOE, Ground, Sole, shoe_floor
+from insole_core.errors import DesignError, InputError
+from insole_core.foot.foot import Foot
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.materials import Material, MaterialTable, read_materials
+from insole_core.insole.prescription.shell import Shell
+
+EVA = Shoe(read_materials(), body=foam(35))
+
+
+def pad(foot: Foot, height_mm: float) -> Pelott:
+    x, y, _ = find_landmarks(foot)["metatarsal_head_3"].point
+    return Pelott(
+        centre_mm=(float(x), float(y) - 25), length_mm=50, width_mm=36, height_mm=height_mm
+    )
+
+
+def padded(foot: Foot, height_mm: float) -> InsoleDesign:
+    corrections = (pad(foot, height_mm),) if height_mm else ()
+    return InsoleDesign(foot.side, corrections=corrections, grid_mm=2.0)
+
+
+@pytest.fixture(scope="module")
+def sole(left_foot: Foot) -> Sole:
+    return Sole.of(left_foot)
+
+
+@pytest.fixture(scope="module")
+def insole(sole: Sole) -> Ground:
+    return EVA.built(sole, padded(sole.foot, 4))
+
+
+@pytest.fixture(scope="module")
+def from_flat(sole: Sole, insole: Ground) -> Change:
+    return changed(Loading(sole, 75), shoe_floor(sole), insole, Assumptions())
+
+
+def test_the_whole_load_is_carried_and_more_area_takes_it(from_flat: Change, sole: Sole) -> None:
+    load_n = Loading(sole, 75).load_n
+    assert load_n == pytest.approx(75 * 9.80665 / 2)
+    for pressed in (from_flat.old, from_flat.new):
+        assert pressed.mpa.min() >= 0
+        assert pressed.mpa.sum() * 4 == pytest.approx(load_n, rel=1e-6)
+    old_mm2, new_mm2 = from_flat.areas_mm2
+    assert 3000 < old_mm2 < new_mm2
+    heel = from_flat.of("heel").peak_percent
+    assert heel is not None
+    assert -70 < heel < -20
+    assert 80 < from_flat.old_kpa.max() < 250  # of a person who stands on a hard floor
+
+
+def test_the_mirrored_foot_has_the_mirrored_change(
+    from_flat: Change, insole: Ground, left_foot: Foot, right_foot: Foot
+) -> None:
+    right = Sole.of(right_foot)
+    x, y = pad(left_foot, 4).centre_mm
+    mirrored_pad = replace(pad(left_foot, 4), centre_mm=(-x, y))
+    design = replace(padded(right_foot, 0), corrections=(mirrored_pad,))
+    mirrored = changed(
+        Loading(right, 75), shoe_floor(right), EVA.built(right, design), Assumptions()
+    )
+    for name in GROUPS:
+        one, other = from_flat.of(name).peak_percent, mirrored.of(name).peak_percent
+        assert one == pytest.approx(other, abs=0.1)
+
+
+def test_more_height_is_more_load_at_the_apex(sole: Sole) -> None:
+    apex = pad(sole.foot, 4).centre_mm
+    plain = EVA.built(sole, padded(sole.foot, 0))
+    heights = (2, 4, 6)
+    found = [
+        changed(Loading(sole, 75), plain, EVA.built(sole, padded(sole.foot, mm)), Assumptions())
+        for mm in heights
+    ]
+    at_apex = [
+        float(replace(sole.field, heights_mm=kpa).height_at(np.array(apex)))
+        for kpa in (found[0].old_kpa, *(one.new_kpa for one in found))
+    ]
+    assert at_apex == sorted(at_apex)
+    assert at_apex[-1] > 2 * at_apex[0]
+
+
+def test_grids_of_2_and_3_mm_find_the_peaks_of_1_mm(sole: Sole, from_flat: Change) -> None:
+    def on_grid(step_mm: float) -> Change:
+        other = Sole.of(sole.foot, step_mm)
+        ground = EVA.built(other, padded(sole.foot, 4))
+        return changed(Loading(other, 75), shoe_floor(other), ground, Assumptions())
+
+    fine = on_grid(1.0)
+    for coarse in (from_flat, on_grid(3.0)):
+        for name in ("heel", "metatarsal_heads"):
+            for found, expected in zip(coarse.peaks_kpa(name), fine.peaks_kpa(name), strict=True):
+                assert found == pytest.approx(expected, rel=0.03)
+
+
+def test_limits_hold_the_change_and_the_same_ground_changes_nothing(
+    sole: Sole, insole: Ground, from_flat: Change
+) -> None:
+    loading = Loading(sole, 75)
+    told = pressure_change(loading, shoe_floor(sole), insole, known=from_flat, points=[(0.0, 30.0)])
+    for one in (*told.regions.values(), *told.points):
+        if one.percent is not None:
+            assert one.limits is not None
+            assert one.limits[0] <= one.percent < one.limits[1]
+    assert set(told.cannot_tell) == {name for name, one in told.regions.items() if one.reason}
+    same = pressure_change(loading, insole, insole)
+    loaded = [one for one in same.regions.values() if one.percent is not None]
+    assert {one.percent for one in loaded} == {0.0}
+    assert {one.limits for one in loaded} == {(0.0, 0.0)}
+
+
+def test_flat_foam_relieves_as_in_published_series(sole: Sole) -> None:
+    """Flat foam under the heel: 24 % in the mean (Goske 2006)."""
+    floor = shoe_floor(sole)
+    six = np.full(sole.known.shape, 9.5)
+    soft = changed(Loading(sole, 75), floor, Ground(six, six, foam(5)), Assumptions())
+    assert soft.of("heel").peak_percent == pytest.approx(-24, abs=10)
+
+
+def test_a_thin_soft_insole_is_told_to_be_compressed_too_much(sole: Sole) -> None:
+    thin = np.full(sole.known.shape, 1.5)
+    soft = replace(foam(1), modulus_mpa=0.08)
+    told = pressure_change(Loading(sole, 120), shoe_floor(sole), Ground(thin, thin, soft))
+    assert "heel" in told.cannot_tell
+    assert "too thin" in told.regions["heel"].reason
+
+
+def test_at_heel_strike_the_heel_carries_nearly_all_and_at_push_off_the_ball(sole: Sole) -> None:
+    floor = shoe_floor(sole, shoe=SOFT_SHOE)
+    shares = {}
+    for posture in Posture:
+        loading = Loading(sole, 75, posture)
+        pressed = loading.pressed(floor, Assumptions())
+        assert pressed.mpa.sum() * 4 == pytest.approx(loading.load_n, rel=1e-6)
+        behind = pressed.mpa[sole.share[:, 0] < 0.4].sum() / pressed.mpa.sum()
+        shares[posture] = behind
+    assert shares[Posture.HEEL_STRIKE] > 0.85
+    assert 0.5 < shares[Posture.STANDING] < 0.75
+    assert shares[Posture.PUSH_OFF] < 0.1
+
+
+def test_a_sole_that_weight_has_made_flat_is_refused(left_foot: Foot) -> None:
+    mesh = left_foot.mesh
+    flat = np.maximum(mesh.vertices, [-np.inf, -np.inf, 7.0]) - [0, 0, 7.0]
+    standing = replace(left_foot, mesh=mesh.moved(flat))
+    with pytest.raises(InputError, match="weight"):
+        Sole.of(standing)
+
+
+@pytest.mark.parametrize(("kept", "part"), [((0.35, 1.0), "heel"), ((0.0, 0.55), "ball")])
+def test_half_a_foot_is_refused(left_foot: Foot, kept: tuple[float, float], part: str) -> None:
+    share = left_foot.mesh.vertices[:, 1] / left_foot.length_mm
+    half = left_foot.mesh.part((share >= kept[0]) & (share <= kept[1]))
+    with pytest.raises(InputError, match=part):
+        Sole.of(replace(left_foot, mesh=half))
+
+
+def test_materials_give_way_by_their_hardness_or_not_at_all() -> None:
+    table = read_materials()
+    assert 1.2 < modulus_of_shore_a(35) < 1.6
+    assert body_of("", table) == body_of("eva, shore a 35", table)
+    assert body_of("EVA, Shore A 45", table).modulus_mpa > foam(35).modulus_mpa
+    assert body_of("polypropylene", table).modulus_mpa > 1000
+    clinics = MaterialTable([Material("own foam", 2, 2, shore_a=20.0), Material("EVA", 2, 2)])
+    assert body_of("Own foam", clinics) == foam(20)
+    assert body_of("EVA", clinics) == foam(35)  # the product knows it
+    for unknown in ("TPU, printed", "felt"):
+        with pytest.raises(DesignError, match="hardness"):
+            body_of(unknown, table)
+
+
+def test_a_stiff_shell_is_as_hard_as_a_floor_of_its_form(sole: Sole) -> None:
+    design = replace(padded(sole.foot, 0), shell=Shell(material="polypropylene"))
+    made = Shoe(read_materials())
+    assert made.knows_material(design)
+    assert not made.knows_material(padded(sole.foot, 0))
+    ground = made.built(sole, design)
+    assert ground.beds(sole.known) == []
+    assert np.array_equal(ground.top_mm, EVA.built(sole, design).top_mm)
