@@ -255,8 +255,10 @@ def _check_tables(database: Database, tables: Sequence[Table]) -> None:
                 "it may only be read; ask for the right to write to it.",
                 place=name,
             )
-        for table in tables:
-            connection.execute(select(table).limit(1)).first()
+        quote = connection.dialect.identifier_preparer.quote
+        for table in tables:  # as text: to compile all these statements takes longer than to ask
+            columns = ", ".join(map(quote, table.columns.keys()))
+            connection.exec_driver_sql(f"SELECT {columns} FROM {quote(table.name)} LIMIT 1").first()
 
 
 def _content_store(database: Database) -> ContentStore:
