@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import io
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import ContourConstraints, TriangleMesh
-from insole_core.stored_arrays import read_arrays
+from insole_core.stored_arrays import pack_arrays, read_arrays
 
 MAX_PART_BYTES = 256 * 2**20
 """The surface of a foot of four million triangles has 150 MB."""
@@ -18,14 +19,12 @@ _MOST_MM = 1e4
 
 def pack_mesh(mesh: TriangleMesh) -> bytes:
     """Return a surface as the bytes of an ``.npz`` file; equal surfaces give equal bytes."""
-    arrays = {"vertices": mesh.vertices, "triangles": mesh.triangles}
+    arrays: dict[str, npt.NDArray[Any]] = {"vertices": mesh.vertices, "triangles": mesh.triangles}
     if mesh.colors is not None:
         arrays["colors"] = mesh.colors
     if mesh.touches is not None:
         arrays |= {"touched": mesh.touches.points, "touched_normals": mesh.touches.normals}
-    packed = io.BytesIO()
-    np.savez_compressed(packed, **arrays)  # type: ignore[arg-type]
-    return packed.getvalue()
+    return pack_arrays(arrays)
 
 
 def unpack_mesh(name: str, packed: bytes) -> TriangleMesh:

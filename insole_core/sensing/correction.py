@@ -18,7 +18,7 @@ from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.sensing.disparity import DisparityModel
 from insole_core.sensing.metric_depth import RAW_PER_PX, binned_map
-from insole_core.stored_arrays import read_arrays
+from insole_core.stored_arrays import pack_arrays, read_arrays
 
 VERSION = 2
 CorrectionUnit = Literal["raw", "px"]
@@ -181,19 +181,19 @@ class DisparityCorrection:
         OutputError
             When the place cannot be written; a file that was there before is untouched.
         """
-        with replacing_file(path) as beside, beside.open("wb") as stream:
-            np.savez_compressed(stream, allow_pickle=False, **self._arrays())
+        with replacing_file(path) as beside:
+            beside.write_bytes(pack_arrays(self._arrays()))
 
-    def _arrays(self) -> dict[str, Any]:
+    def _arrays(self) -> dict[str, npt.NDArray[Any]]:
         height, width = self.offset.shape
         image = CorrectedImage(width, height, self.record.unit)
         record = asdict(self.record)
         if self.record.unit == "raw":
             del record["unit"]  # as of files written before there was another
-        arrays: dict[str, Any] = {
+        arrays: dict[str, npt.NDArray[Any]] = {
             "offset": (self.offset / image.raw_per_stored).astype(np.float32),
-            "reference_raw": np.float64(self.reference_raw),
-            "decay": np.float64(self.decay),
+            "reference_raw": np.array(self.reference_raw, float),
+            "decay": np.array(self.decay, float),
             "raw_range": np.array(self.raw_range),
             "record": np.array(json.dumps(record)),
         }
