@@ -31,6 +31,8 @@ from insole_core.records import records as open_module
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import ScriptedWindow, export_at_stage
+from insole_studio.features.design.models import model_presenter
+from insole_studio.features.export import export_actions
 from insole_studio.scene.canvas import ImageCanvas
 from insole_studio.settings import Settings, save_settings
 from insole_studio.texts import load_language, translate_core_message
@@ -65,7 +67,7 @@ def kept() -> SharedResults:
 def same_results(kept: SharedResults) -> Iterator[None]:
     """Let the core find and make the same things once for all tests."""
     with pytest.MonkeyPatch.context() as patch:
-        share_results(kept, patch)
+        share_results(kept, patch, [(model_presenter, "contour_lines")], [export_actions])
         yield
 
 

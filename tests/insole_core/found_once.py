@@ -1,8 +1,8 @@
-"""Lets the tests of the window and of the commands share what the core finds and makes.
+"""Lets the tests of workflows, commands and the window share what the core finds and makes.
 
 Many open the same scan and build the same insole. What the core makes of it is the same each time;
-whether it is right, the tests of the core find out. So it is made once for all tests of a process,
-and each looks at what the window or a command does with it.
+whether it is right, the tests of what finds and makes it find out. So it is made once for all tests
+of a process, and each looks at what a workflow, a command or the window does with it.
 """
 
 from __future__ import annotations
@@ -41,8 +41,6 @@ from insole_core.workflows import (
     make_order,
     scanned_feet,
 )
-from insole_studio.features.design.models import model_presenter
-from insole_studio.features.export import export_actions
 
 KEPT, KEPT_FEET, KEPT_SMALL = 8, 6, 256
 """Results of each kind; feet, with what is derived from each of them, which is some 50 MB; and
@@ -62,7 +60,6 @@ SHARED = (
     (compare_case, "compare_surfaces"),
     (order, "simplify"),
     (board, "_chequerboard_corners"),
-    (model_presenter, "contour_lines"),
 )
 """Functions whose results are told by the content of what they are given."""
 
@@ -82,17 +79,30 @@ class SharedResults:
         return (self._feet if kind in OF_FEET else memo).get(kind, key, make)
 
 
-def share_results(kept: SharedResults, patch: pytest.MonkeyPatch) -> None:
-    """Let equal scans and equal feet share what is found in them and made of them."""
+def share_results(
+    kept: SharedResults,
+    patch: pytest.MonkeyPatch,
+    more: Iterable[tuple[Any, str]] = (),
+    builders: Iterable[Any] = (),
+) -> None:
+    """Let equal scans and equal feet share what is found in them and made of them.
+
+    Parameters
+    ----------
+    more
+        Functions beside those of the core, as in `SHARED`.
+    builders
+        Other modules that call `build_insole`.
+    """
     patch.setattr(Foot, "__init__", _sharing(kept, Foot.__init__))
     patch.setattr(foot_module, "_MOST_BYTES", KEPT_BYTES)
-    for owner, name in SHARED:
+    for owner, name in (*SHARED, *more):
         patch.setattr(owner, name, _made_once(kept, name, getattr(owner, name)))
     patch.setattr(make_foot, "place_foot", _placed_once(kept, make_foot.place_foot))
     base = _based_once(contact_base)
     for module in (insole_builder, followed_base):
         patch.setattr(module, "contact_base", base)
-    for module in (build, make_order, export_actions):
+    for module in (build, make_order, *builders):
         patch.setattr(module, "build_insole", partial(build_insole, base_of=base))
     closed = _closed_once(solid.closed_insole)
     for module in (insole_builder, solid):
