@@ -142,9 +142,10 @@ MISSING = {
     "arch_height_index": "the back of the foot was not scanned",
     "arch_index": _NO_SOLE,
     "navicular_height": "the navicular is not marked",
-    "rearfoot_angle_deg": "the back of the heel or the leg was not scanned",
-    "achilles_angle_deg": "the leg was not scanned",
-    "achilles_lean_deg": "the leg was not scanned, or the scan does not stand upright",
+    "rearfoot_angle_deg": "the back of the heel or the leg was not scanned, or in pieces only",
+    "achilles_angle_deg": "the leg was not scanned, or in pieces only",
+    "achilles_lean_deg": "the leg was not scanned, or in pieces only, or the scan does not stand "
+    "upright",
     "forefoot_angle_deg": _NO_SOLE,
     "shoe_size_eu": _NO_SIZE,
     "shoe_size_uk": _NO_SIZE,
@@ -169,6 +170,11 @@ _STANDS_ON = {
     "shoe_size_uk": _LENGTH,
     "shoe_size_us": _LENGTH,
     "mondopoint": _LENGTH,
+}
+_AXES = {
+    "rearfoot_angle_deg": ("achilles_lower", "calcaneus_lower"),
+    "achilles_angle_deg": ("achilles_lower",),
+    "achilles_lean_deg": ("achilles_lower",),
 }
 _SIZES_EU, _SIZES_UK = (15.0, 55.0), (1.0, 17.0)  # that exist; children's English are others
 _DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.2
@@ -225,6 +231,9 @@ def doubts(landmarks: Landmarks) -> dict[str, str]:
                 else "seen in part only, and continued by the usual shape: {places}",
                 places=joined(seen_badly, " and "),
             )
+    for name, axes in _AXES.items():
+        if any(axis in landmarks and landmarks[axis].confidence < _DOUBTFUL for axis in axes):
+            found[name] = Message("the back of the heel or the leg was seen in part only")
     for name, deviation_mm in deviations_mm(landmarks).items():
         usual_mm = _ALONG_SIDE_MM if name == "ball_length" else 0.0
         if name not in found and deviation_mm > _DOUBTFUL_MM + usual_mm:
@@ -439,10 +448,12 @@ def _upright_lean(foot: Foot, leg: Axis | None) -> float | None:
 
 
 def _axis(landmarks: Landmarks, name: str) -> Axis | None:
+    """Return an axis; None where the back was not seen, or so ragged that it is no more a line."""
     if f"{name}_lower" not in landmarks or f"{name}_upper" not in landmarks:
         return None
     lower, upper = landmarks[f"{name}_lower"], landmarks[f"{name}_upper"]
-    return Axis(lower.point, upper.point, min(lower.confidence, upper.confidence))
+    confidence = min(lower.confidence, upper.confidence)
+    return Axis(lower.point, upper.point, confidence) if confidence > GUESS else None
 
 
 def _difference(left: float | None, right: float | None) -> float | None:

@@ -13,7 +13,7 @@ from insole_core.errors import UsageError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import BOTH, Side, Sides
-from insole_core.geometry.transforms import rigid, transform
+from insole_core.geometry.transforms import rigid, rotation_about, transform
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.box import Box
@@ -38,10 +38,13 @@ from insole_core.simulate.scene import SceneCaster, build_scene, joined, load_re
 _VOLUME = Box((-72.0, -150.0, -25.0), (72.0, 150.0, 165.0))
 _ONE_FOOT, _BOTH_FEET = "lego-20", "lego-40"
 """Reference systems."""
+_PUT_BACK_MM, _PUT_BACK_DEG = (6.0, 8.0, 3.0), (2.0, 2.0, 4.0)
+"""How far a foot that is taken off and put back lies elsewhere at most, along and about x, y, z."""
 _RECORDED_AT = "2026-01-01T00:00:00Z"
 _LIMITS: Limits = {
     "seed": ("seed of the simulation", 0, 2**32 - 1),
     "sensor_seed": ("seed of the sensors", 0, 2**32 - 1),
+    "foot_seed": ("seed of the foot", 0, 2**32 - 1),
     "distance_mm": ("distance of the sensors (mm)", 500, 1500),
     "half_angle_deg": ("angle of the sole sensors (degrees)", 5, 45),
     "bursts": ("number of places each sensor stands in", 1, 9),
@@ -108,6 +111,9 @@ class SimulationOptions:
         What is in the place of one foot, instead of it.
     sensor_seed
         Of the sensors, so that several sessions are captured with the same ones; by default `seed`.
+    foot_seed
+        Of the one foot, which is put back some millimetres and degrees away, by chance of `seed`;
+        by default the foot is that of `seed`, in its place.
 
     Raises
     ------
@@ -131,6 +137,7 @@ class SimulationOptions:
     standing: tuple[StandingFoot, ...] | None = None
     body: KnownBody | None = None
     sensor_seed: int | None = None
+    foot_seed: int | None = None
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -152,6 +159,8 @@ class SimulationOptions:
             raise UsageError(
                 "A body of known form takes the place of one foot; choose the side left or right."
             )
+        if self.foot_seed is not None and (self.side == BOTH or self.body is not None):
+            raise UsageError("One foot is put back; leave out the seed of the foot, or the others.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,7 +214,8 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
         The session with the true foot and the true poses.
     """
     progress.step(0.0, "Shaping the foot")
-    rng = np.random.default_rng([options.seed, 0])
+    foot_seed = options.seed if options.foot_seed is None else options.foot_seed
+    rng = np.random.default_rng([foot_seed, 0])
     both = options.side == BOTH
     reference_system = load_reference_system(_BOTH_FEET if both else _ONE_FOOT)
     feet = {foot.place: _foot(foot, options, rng) for foot in _standing(options, rng)}
@@ -257,11 +267,25 @@ def _foot(
     standing: StandingFoot, options: SimulationOptions, rng: np.random.Generator
 ) -> FootModel:
     foot = build_foot(standing.shape, rng, options.foot_cell_mm)
+    if options.foot_seed is not None:
+        return _moved(foot, _put_back(np.random.default_rng([options.seed, 4])))
     if standing.aside_mm == 0.0:
         return foot
-    aside = rigid(np.eye(3), np.array([standing.aside_mm, 0.0, 0.0]))
-    landmarks = {name: transform(aside, point) for name, point in foot.landmarks_mm.items()}
-    return FootModel(foot.shape, foot.mesh.transformed(aside), landmarks)
+    return _moved(foot, rigid(np.eye(3), np.array([standing.aside_mm, 0.0, 0.0])))
+
+
+def _moved(foot: FootModel, step: FloatArray) -> FootModel:
+    landmarks = {name: transform(step, point) for name, point in foot.landmarks_mm.items()}
+    return FootModel(foot.shape, foot.mesh.transformed(step), landmarks)
+
+
+def _put_back(rng: np.random.Generator) -> FloatArray:
+    """Return a step (4, 4) by which somebody puts a foot back elsewhere, about its middle."""
+    angles_deg = rng.uniform(-1.0, 1.0, 3) * _PUT_BACK_DEG
+    turn = np.eye(3)
+    for axis, angle_deg in zip(np.eye(3), angles_deg, strict=True):
+        turn = rotation_about(axis, angle_deg) @ turn
+    return rigid(turn, rng.uniform(-1.0, 1.0, 3) * _PUT_BACK_MM)
 
 
 def _in_system(mesh: TriangleMesh, side: Side, system: ReferenceSystem) -> TriangleMesh:

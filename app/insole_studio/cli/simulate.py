@@ -30,6 +30,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="SEED",
         help="capture with the sensors of the session with that seed (default: that of --seed)",
     )
+    parser.add_argument(
+        "--foot-seed",
+        type=whole,
+        metavar="SEED",
+        help="the foot of the session with that seed, taken off and put back, to rehearse evaluate "
+        "repeat (default: that of --seed, in its place)",
+    )
     parser.add_argument("--side", choices=[*map(str, Side), BOTH], default="left")
     parser.add_argument(
         "--sensors",
@@ -85,6 +92,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     options = SimulationOptions(
         seed=arguments.seed,
         sensor_seed=arguments.sensor_seed,
+        foot_seed=arguments.foot_seed,
         side=sides_from(arguments.side),
         distance_mm=arguments.distance,
         bursts=arguments.bursts,

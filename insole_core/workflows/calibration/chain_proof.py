@@ -90,7 +90,7 @@ def prove_chain(
         When the object is not found, or is not what was said.
     Cancelled
     """
-    _check_once(paths)
+    check_once(paths)
     serials = _common_serials([open_session(path) for path in paths])
     captures: list[Capture] = []
     for path, part in zip(paths, progress.part(0.0, 0.8).parts(len(paths)), strict=True):
@@ -102,7 +102,7 @@ def prove_chain(
     return ChainProof(evaluation, judge(evaluation), serials, notes)
 
 
-def _check_once(paths: Sequence[Path]) -> None:
+def check_once(paths: Sequence[Path]) -> None:
     """Check that no capture counts twice."""
     places = [path.resolve() for path in paths]
     for number, path in enumerate(paths):

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from insole_core.errors import InputError
+from insole_core.evaluation.repeat import Repeated
 from insole_core.files.atomic import make_output_folder, write_text
 from insole_core.foot.spread import Limits
 from insole_core.json_object import JsonObject
@@ -23,25 +24,6 @@ REPEAT_TESTS_FILE = "repeat_tests.json"
 _FORMAT = "insole-repeat-tests"
 _MOST = 1e6
 log = logging.getLogger(__name__)
-
-
-@dataclass(frozen=True)
-class Repeated:
-    """How one measure scattered over the captures of a test, in its unit.
-
-    Parameters
-    ----------
-    deviation
-        Standard deviation over the captures.
-    limits_95
-        Half of the limits within which 95 % of further captures lie about the mean of many.
-    captures
-        That have the measure.
-    """
-
-    deviation: float
-    limits_95: float
-    captures: int
 
 
 @dataclass(frozen=True)

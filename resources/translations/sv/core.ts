@@ -224,6 +224,10 @@
             <translation>En avlastning under varje huvud som bär för mycket; inga hårda kanter.</translation>
         </message>
         <message>
+            <source>A repeat test takes {least} to {most} captures of the same foot, each taken after the foot was taken off and put back; {count} are named.</source>
+            <translation>Ett upprepningsprov behöver {least} till {most} avbildningar av samma fot, där foten tagits bort och lagts tillbaka före varje; {count} har angetts.</translation>
+        </message>
+        <message>
             <source>A router mills the insole from a block, and none is chosen; choose the block.</source>
             <translation>En fräsmaskin fräser inlägget ur ett block, och inget är valt; välj blocket.</translation>
         </message>
@@ -1600,6 +1604,10 @@
             <translation>Lägger rutnätet över fotsulan</translation>
         </message>
         <message>
+            <source>Laying {name} on {first}</source>
+            <translation>Lägger {name} på {first}</translation>
+        </message>
+        <message>
             <source>Least thickness</source>
             <translation>Minsta tjocklek</translation>
         </message>
@@ -2014,6 +2022,10 @@
         <message>
             <source>One end of the imprint is only {depth_mm:.0f} mm deep: heel or toes were hardly pressed in, so that side and length are uncertain; say which foot it is, and compare its length.</source>
             <translation>Ena änden av avtrycket är bara {depth_mm:.0f} mm djup: häl eller tår trycktes knappt ner, så sida och längd är osäkra; ange vilken fot det är och jämför dess längd.</translation>
+        </message>
+        <message>
+            <source>One foot is put back; leave out the seed of the foot, or the others.</source>
+            <translation>En fot läggs tillbaka; utelämna fotens frö eller det andra.</translation>
         </message>
         <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
@@ -7380,6 +7392,10 @@
             <translation>se arbetsbladet</translation>
         </message>
         <message>
+            <source>seed of the foot</source>
+            <translation>fotens frö</translation>
+        </message>
+        <message>
             <source>seed of the simulation</source>
             <translation>simuleringens frö</translation>
         </message>
@@ -7620,6 +7636,14 @@
             <translation>hälens baksida eller benet skannades inte</translation>
         </message>
         <message>
+            <source>the back of the heel or the leg was not scanned, or in pieces only</source>
+            <translation>hälens baksida eller benet skannades inte, eller bara i bitar</translation>
+        </message>
+        <message>
+            <source>the back of the heel or the leg was seen in part only</source>
+            <translation>hälens baksida eller benet sågs bara delvis</translation>
+        </message>
+        <message>
             <source>the backups cannot be looked at</source>
             <translation>säkerhetskopiorna kan inte granskas</translation>
         </message>
@@ -7730,6 +7754,14 @@
         <message>
             <source>the leg was not scanned</source>
             <translation>benet skannades inte</translation>
+        </message>
+        <message>
+            <source>the leg was not scanned, or in pieces only</source>
+            <translation>benet skannades inte, eller bara i bitar</translation>
+        </message>
+        <message>
+            <source>the leg was not scanned, or in pieces only, or the scan does not stand upright</source>
+            <translation>benet skannades inte, eller bara i bitar, eller så står skanningen inte upprätt</translation>
         </message>
         <message>
             <source>the leg was not scanned, or the scan does not stand upright</source>
@@ -8484,6 +8516,18 @@
             <translation>{finding} Ändra designen, eller gå förbi regeln med ett skäl.</translation>
         </message>
         <message>
+            <source>{first} and {other} do not show the same foot: their soles do not fit each other.</source>
+            <translation>{first} och {other} visar inte samma fot: deras fotsulor passar inte varandra.</translation>
+        </message>
+        <message>
+            <source>{first} and {other} show two different feet, or one that was held quite differently: their soles lie {apart_mm:.1f} mm apart, and one is {longer_mm:.1f} mm longer; take the same foot of the same person, or the same cast, each time.</source>
+            <translation>{first} och {other} visar två olika fötter, eller en som hölls helt annorlunda: deras fotsulor ligger {apart_mm:.1f} mm isär, och den ena är {longer_mm:.1f} mm längre; ta samma fot på samma person, eller samma avgjutning, varje gång.</translation>
+        </message>
+        <message>
+            <source>{first} and {other} were captured in two different frames of markers; test each place on its own.</source>
+            <translation>{first} och {other} avbildades i två olika markörramar; prova varje mätplats för sig.</translation>
+        </message>
+        <message>
             <source>{first} and {second}</source>
             <translation>{first} och {second}</translation>
         </message>
@@ -8492,8 +8536,16 @@
             <translation>{first} och {second}; skillnaden är inom felet</translation>
         </message>
         <message>
+            <source>{first} is of a {side} foot, but {other} of a {others} one; a repeat test takes the same foot each time.</source>
+            <translation>{first} är av en {side} fot, men {other} av en {others}; ett upprepningsprov görs med samma fot varje gång.</translation>
+        </message>
+        <message>
             <source>{first} was captured with the sensors {serials}, but {other} with {others}; prove each set of sensors on its own.</source>
             <translation>{first} spelades in med sensorerna {serials} men {other} med {others}; prova varje uppsättning sensorer för sig.</translation>
+        </message>
+        <message>
+            <source>{first} was captured with the sensors {serials}, but {other} with {others}; test each place on its own.</source>
+            <translation>{first} avbildades med sensorerna {serials}, men {other} med {others}; prova varje mätplats för sig.</translation>
         </message>
         <message>
             <source>{folder}</source>
@@ -8836,6 +8888,10 @@
             <translation>{name}: matrisen {array} är skadad, eller av ett slag som inte hör hemma där; återställ filen.</translation>
         </message>
         <message>
+            <source>{name}: {warning}</source>
+            <translation>{name}: {warning}</translation>
+        </message>
+        <message>
             <source>{number:.12g}</source>
             <translation>{number:.12g}</translation>
         </message>
@@ -8854,6 +8910,10 @@
         <message>
             <source>{offset}: {place}, and from there x {x:g} mm, y {y:g} mm</source>
             <translation>{offset}: {place}, och därifrån x {x:g} mm, y {y:g} mm</translation>
+        </message>
+        <message>
+            <source>{other} is a copy of {one}; take the foot off, put it back, and capture it anew.</source>
+            <translation>{other} är en kopia av {one}; ta bort foten, lägg tillbaka den och avbilda den på nytt.</translation>
         </message>
         <message>
             <source>{paper} is a paper, which is written as .pdf; change its suffix.</source>
@@ -8978,6 +9038,10 @@
         <message>
             <source>{path} does not say how many sensels there are and how large they are; export it again.</source>
             <translation>{path} anger inte hur många sensorer det finns och hur stora de är; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>{path} does not say the serial numbers of its sensors, so that a test of them would hold for any; capture with sensors that tell theirs.</source>
+            <translation>{path} anger inte sensorernas serienummer, så att provet skulle gälla för vilka som helst; avbilda med sensorer som anger sina.</translation>
         </message>
         <message>
             <source>{path} does not tell its character set, and names read differently in each; choose it (--encoding), or save the table again as CSV UTF-8: {readings}.</source>
@@ -9346,6 +9410,10 @@
         <message>
             <source>{path} was recorded with both feet, but one surface is compared; reconstruct its feet and give the mesh of one.</source>
             <translation>{path} spelades in med båda fötterna, men en yta jämförs; rekonstruera fötterna och ange den enas yta.</translation>
+        </message>
+        <message>
+            <source>{path} was recorded with both feet; a repeat test takes one foot.</source>
+            <translation>{path} spelades in med båda fötterna; ett upprepningsprov görs med en fot.</translation>
         </message>
         <message>
             <source>{path} was recorded with both feet; capture the object alone, in the place of one foot.</source>

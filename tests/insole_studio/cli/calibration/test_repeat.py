@@ -1,0 +1,184 @@
+"""A foot that is captured again and again tells the ± of the place's measures."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from insole_core.errors import InputError
+from insole_core.evaluation.repeat import Repeated
+from insole_core.evaluation.repeat_section import repeat_section
+from insole_core.evaluation.report import Report
+from insole_core.evaluation.report_files import write_pdf
+from insole_core.geometry.arrays import RawArray
+from insole_core.geometry.side import Side
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Session, View
+from insole_core.recording.writer import write_session
+from insole_core.workflows.calibration import repeated_captures
+from insole_core.workflows.calibration.repeat_tests import (
+    REPEAT_TESTS_FILE,
+    RepeatTest,
+    RepeatTests,
+    repeated_limits,
+)
+from insole_core.workflows.calibration.repeated_captures import RepeatedCaptures, repeat_captures
+from insole_studio.cli.main import run
+
+SMALL_SESSION = Path(__file__).parents[3] / "data" / "sessions" / "left_small.zip"
+
+
+def with_noise(view: View, seed: int) -> View:
+    """Return the same view with frames of its own: single readings that jump by one unit."""
+
+    def read(number: int) -> RawArray:
+        raw = view.read_depth(number).copy()
+        jumps = np.random.default_rng([seed, number]).random(raw.shape) < 0.2
+        raw[jumps & (raw < 2047)] += 1
+        return raw
+
+    return replace(view, read_depth=read)
+
+
+@pytest.fixture(scope="module")
+def captures(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Three captures of one foot with the same sensors."""
+    folder, session = tmp_path_factory.mktemp("repeat"), read_session(SMALL_SESSION)
+    paths = [folder / f"capture{number}" for number in range(3)]
+    for seed, path in enumerate(paths):
+        views = tuple(with_noise(view, seed) for view in session.views)
+        write_session(replace(session, views=views), path)
+    return paths
+
+
+@pytest.fixture(scope="module")
+def repeated(captures: list[Path]) -> RepeatedCaptures:
+    return repeat_captures(captures)
+
+
+@pytest.fixture
+def evaluated(
+    captures: list[Path],
+    repeated: RepeatedCaptures,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> Callable[..., int]:
+    """Run the command on the captures, which are reconstructed once for all tests."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    monkeypatch.setattr(repeated_captures, "repeat_captures", lambda *_: repeated)
+    return lambda *words: run(["evaluate", "repeat", *map(str, captures), *words])
+
+
+@pytest.mark.slow
+def test_a_repeat_test_is_where_the_limits_of_measures_come_from(
+    evaluated: Callable[..., int],
+    captures: list[Path],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    report, measures = tmp_path / "repeat.json", tmp_path / "measures.json"
+    assert evaluated("--report", str(report), "--limit", "sd_foot_length=2") == 0
+    numbers = json.loads(report.read_text())["sections"]["repeat"]["numbers"]
+    (kept,) = tmp_path.rglob(REPEAT_TESTS_FILE)
+    assert str(kept) in capsys.readouterr().out
+    assert run(["measure", str(captures[0]), "--report", str(measures)]) == 0
+    told = json.loads(measures.read_text())
+    assert told["limits_by"]["foot_length"] == "repeat test"
+    limit = told["limits_95"]["foot_length"]
+    assert limit == pytest.approx(numbers["limits_95_foot_length"]["value"], abs=1e-3)
+    assert limit == pytest.approx(4.303 * numbers["sd_foot_length"]["value"], abs=2e-3)
+    assert numbers["sole_median_mm"]["value"] < 0.5
+
+
+@pytest.mark.slow
+def test_a_place_that_scatters_too_much_keeps_nothing(
+    evaluated: Callable[..., int], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert evaluated("--limit", "sd_foot_length=0.0001") == 1
+    assert "foot length, SD" in capsys.readouterr().err.splitlines()[-1]
+    assert not list(tmp_path.rglob(REPEAT_TESTS_FILE))
+
+
+@pytest.mark.slow
+def test_the_pictures_of_a_repeat_test_can_be_printed(
+    repeated: RepeatedCaptures, tmp_path: Path
+) -> None:
+    section = repeat_section(repeated.evaluation)
+    write_pdf(Report(section.title, "", "2026-11-27T08:00:00Z", (section,)), tmp_path / "r.pdf")
+    assert (tmp_path / "r.pdf").read_bytes().count(b"/Subtype /Image") == 2
+
+
+def test_a_test_holds_for_its_very_sensors_and_takes_the_place_of_the_one_before(
+    tmp_path: Path,
+) -> None:
+    tests, earlier, later = RepeatTests(tmp_path), Repeated(0.3, 1.3, 3), Repeated(0.2, 0.5, 5)
+    for serials, one in (("AB", earlier), ("ABC", earlier), ("AB", later)):
+        tests.keep(RepeatTest(frozenset(serials), "2026-11-27", 3, {"foot_length": one}))
+    assert len(json.loads(tests.path.read_text())["tests"]) == 2
+    assert repeated_limits("BA", tmp_path) == {"foot_length": 0.5}
+    assert repeated_limits("ABC", tmp_path) == {"foot_length": 1.3}
+    assert repeated_limits("A", tmp_path) == repeated_limits("", tmp_path) == {}
+    tests.path.write_text("{")
+    assert repeated_limits("AB", tmp_path) == {}  # the ± by simulation counts then, and says so
+    with pytest.raises(InputError, match=REPEAT_TESTS_FILE):
+        tests.keep(RepeatTest(frozenset("AB"), "2026-11-27", 3, {}))
+    assert tests.path.read_text() == "{"
+
+
+def changed(session: Session, **manifest: object) -> Session:
+    return replace(session, manifest=replace(session.manifest, **manifest))  # type: ignore[arg-type]
+
+
+def with_serial(session: Session, serial: str) -> Session:
+    view, *others = session.views
+    return replace(
+        session, views=(replace(view, sensor=replace(view.sensor, serial=serial)), *others)
+    )
+
+
+def in_other_frame(session: Session) -> Session:
+    system = session.manifest.reference_system
+    first, *others = system.markers
+    moved = replace(first, position_mm=(first.position_mm[0] + 2, *first.position_mm[1:]))
+    return changed(session, reference_system=replace(system, markers=(moved, *others)))
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda session: changed(session, side=Side.RIGHT), "is of a left foot, but"),
+        (lambda session: with_serial(session, "Z9"), "test each place on its own"),
+        (in_other_frame, "two different frames of markers"),
+        (None, "is a copy of"),
+    ],
+)
+def test_captures_that_are_no_repetition_are_refused(
+    captures: list[Path],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    change: Callable[[Session], Session] | None,
+    said: str,
+) -> None:
+    other = tmp_path / "other"
+    if change is None:
+        shutil.copytree(captures[0], other)
+    else:
+        write_session(change(read_session(captures[2])), other)
+    store = tmp_path / "sensors"
+    paths = map(str, (*captures[:2], other))
+    assert run(["evaluate", "repeat", *paths, "--sensors", str(store)]) == 2
+    sentence = capsys.readouterr().err.splitlines()[-1]
+    assert said in sentence
+    assert str(other) in sentence
+    assert not store.exists()
+
+
+def test_two_captures_are_no_test(captures: list[Path], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["evaluate", "repeat", *map(str, captures[:2])]) == 2
+    assert "3 to 10" in capsys.readouterr().err.splitlines()[-1]
