@@ -12,6 +12,7 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measure_table import measure_table, table_csv
 from insole_core.foot.measures import MISSING, NOT_MARKED, measure
+from insole_core.foot.spread import measure_foot
 from insole_core.foot.tape import tape_length
 from insole_core.geometry.arrays import BoolArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -94,7 +95,12 @@ def test_a_whole_foot_has_every_measure(left_foot: Foot) -> None:
 def test_it_is_not_compared_with_the_other_foot(left_foot: Foot, right_mesh: TriangleMesh) -> None:
     x, _, z = x_y_z(right_mesh)
     half = place_foot(right_mesh.part((z < 20) | (x > 0)), Side.RIGHT, frame="reference")
-    rows = measure_table({f.side: measure(f, find_landmarks(f)) for f in (left_foot, half)})
+    rows = measure_table(
+        {
+            foot.side: measure_foot(foot, find_landmarks(foot), is_recorded=False)
+            for foot in (left_foot, half)
+        }
+    )
     (girth,) = (row for row in rows if row.key == "ball_girth")
     assert girth.left == pytest.approx(236, abs=10)
     assert (girth.right, girth.difference, girth.percent) == (None, None, None)
