@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchmarks._finite_elements import FINE, indent
 from insole_core.contact.elastic_layers import Layer
 from insole_core.contact.hardness import foam
 from insole_core.contact.pressing import Bed, Support
@@ -64,6 +66,31 @@ def _dimitriadis(radius_mm: float, layer: Layer, sunk_mm: float) -> float:
     series += -8 / np.pi**3 * third * chi**3 + 16 / np.pi**4 * fourth * chi**4
     hertz = 4 * layer.modulus_mpa / (3 * (1 - v**2)) * np.sqrt(radius_mm) * sunk_mm**1.5
     return float(hertz * series)
+
+
+LAYERED_PADS = {
+    "tissue": (Layer(16.0, 0.2, 0.3),),
+    "tissue on foam": (Layer(16.0, 0.2, 0.3), Layer(6.0, 1.4, 0.2)),
+    "foam on soft foam": (Layer(4.0, 1.4, 0.2), Layer(10.0, 0.3, 0.2)),
+    "cover on foam": (Layer(3.0, 0.5, 0.3), Layer(12.0, 1.4, 0.2)),
+}
+_BALL_MM, _SUNK_MM = 38.0, 1.5
+
+
+def finite_element_ratios(
+    layers: Sequence[Layer], *, is_ball: bool, fine: int = FINE
+) -> tuple[float, float]:
+    """Return sinking and peak pressure of a ball or cylinder on a pad against finite elements."""
+    expected = indent(layers, _BALL_MM, _SUNK_MM, is_ball=is_ball, fine=fine)
+    reach, step = 2.2 * np.sqrt(2 * _BALL_MM * _SUNK_MM), 0.75 if is_ball else 0.5
+    n = 2 * int(reach / step) + 1
+    x = step * (np.arange(n) - (n - 1) / 2)
+    y, shape = (x, (n, n)) if is_ball else (np.zeros(1), (1, n))
+    gap = (x**2 + y[:, None] ** 2) / (2 * _BALL_MM)
+    support = Support(shape, step, [Bed(tuple(layers), np.ones(shape))], _ROOM)
+    centre = (n - 1) / 2 * step
+    pressed = support.press(gap, expected.load_n, (centre, centre if is_ball else 0.0))
+    return pressed.sinking_mm / _SUNK_MM, float(pressed.mpa.max()) / expected.peak_mpa
 
 
 CONFORMITIES = {"flat": 0.0, "half": 5.0, "full": 12.0}

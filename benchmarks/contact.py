@@ -11,7 +11,9 @@ import numpy as np
 from benchmarks._contact_cases import (
     CONFORMITIES,
     HAYES,
+    LAYERED_PADS,
     MATERIALS_MPA,
+    finite_element_ratios,
     heel_reliefs,
     punch_stiffness,
     sphere_load_ratio,
@@ -29,7 +31,8 @@ from insole_core.insole.prescription.device import apply_device
 from insole_core.insole.prescription.materials import read_materials
 from insole_core.workflows.clinic_devices import clinic_devices
 
-CLOSED_FORM_LIMIT, POINTS_LIMIT, SECONDS_LIMIT = 0.01, 10.0, 0.1
+CLOSED_FORM_LIMIT, FINITE_ELEMENT_LIMIT = 0.01, 0.05
+POINTS_LIMIT, SECONDS_LIMIT = 10.0, 0.1
 FEET, DEVICES = 20, 8
 _PUBLISHED = {"flat": -24.0, "full": -44.0}
 
@@ -44,6 +47,15 @@ def _closed_forms() -> None:
     for thickness in (30.0, 60.0, 120.0):
         off = sphere_load_ratio(20.0, Layer(thickness, 0.5, 0.3), 5.0, 0.4) - 1
         print(f"  radius 20 mm, thickness {thickness:.0f} mm: {off:+.2%}")
+
+
+def _finite_elements() -> None:
+    print(f"Layered pads, against finite elements; limit {FINITE_ELEMENT_LIMIT:.0%}")
+    for name, layers in LAYERED_PADS.items():
+        for is_ball in (False, True):
+            sinking, peak = finite_element_ratios(layers, is_ball=is_ball)
+            kind = "ball, axisymmetric" if is_ball else "cylinder, plane strain"
+            print(f"  {name}, {kind}: sinking {sinking - 1:+.2%}, peak {peak - 1:+.2%}")
 
 
 def _published_heel() -> None:
@@ -87,5 +99,5 @@ def _feet_and_devices() -> None:
 
 
 def main() -> None:
-    for section in (_closed_forms, _published_heel, _feet_and_devices):
+    for section in (_closed_forms, _finite_elements, _published_heel, _feet_and_devices):
         section()

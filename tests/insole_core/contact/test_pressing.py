@@ -7,7 +7,9 @@ import pytest
 
 from benchmarks._contact_cases import (
     HAYES,
+    LAYERED_PADS,
     HeelInsole,
+    finite_element_ratios,
     heel_peak_kpa,
     heel_reliefs,
     punch_stiffness,
@@ -29,6 +31,14 @@ def test_a_flat_punch_on_a_layer_is_as_stiff_as_published(
 def test_a_sphere_on_a_layer_carries_what_its_closed_form_says(thickness_mm: float) -> None:
     ratio = sphere_load_ratio(20.0, Layer(thickness_mm, 0.5, 0.3), load_n=5.0, step_mm=0.5)
     assert ratio == pytest.approx(1.0, abs=0.01)
+
+
+@pytest.mark.parametrize("is_ball", [False, True])
+def test_a_layered_pad_is_pressed_as_finite_elements_say(is_ball: bool) -> None:
+    pad = LAYERED_PADS["tissue on foam"]
+    sinking, peak = finite_element_ratios(pad, is_ball=is_ball, fine=20)
+    assert sinking == pytest.approx(1.0, abs=0.05)
+    assert peak == pytest.approx(1.0, abs=0.05)
 
 
 def test_tissue_gets_as_stiff_as_it_is_compressed() -> None:
