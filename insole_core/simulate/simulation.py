@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
-from typing import Protocol
+from typing import Literal, Protocol, get_args
 
 import numpy as np
 
@@ -20,10 +20,18 @@ from insole_core.recording.box import Box
 from insole_core.recording.sensor_folder import COLOR_SIZES
 from insole_core.recording.session import (
     CaptureCondition,
+    InfraredPictures,
     Manifest,
     ReferenceSystem,
     Session,
     View,
+)
+from insole_core.simulate.active_stereo import (
+    Projector,
+    StereoDevice,
+    StereoRecording,
+    make_stereo_device,
+    record_stereo,
 )
 from insole_core.simulate.block_matching import record_matched_depth
 from insole_core.simulate.color_image import ColorRecording, record_color
@@ -35,6 +43,9 @@ from insole_core.simulate.known_bodies import KnownBody
 from insole_core.simulate.poses import AROUND_ONE_FOOT, Stand, stand_sensor, stands_around_both
 from insole_core.simulate.scene import SceneCaster, build_scene, joined, load_reference_system
 
+SensorKind = Literal["kinect", "d415", "mixed"]
+SENSOR_KINDS: tuple[SensorKind, ...] = get_args(SensorKind)
+_FULL_COLOR = (1280, 1024)
 _VOLUME = Box((-72.0, -150.0, -25.0), (72.0, 150.0, 165.0))
 _ONE_FOOT, _BOTH_FEET = "lego-20", "lego-40"
 """Reference systems."""
@@ -45,7 +56,7 @@ _LIMITS: Limits = {
     "seed": ("seed of the simulation", 0, 2**32 - 1),
     "sensor_seed": ("seed of the sensors", 0, 2**32 - 1),
     "foot_seed": ("seed of the foot", 0, 2**32 - 1),
-    "distance_mm": ("distance of the sensors (mm)", 500, 1500),
+    "distance_mm": ("distance of the sensors (mm)", 400, 1500),
     "half_angle_deg": ("angle of the sole sensors (degrees)", 5, 45),
     "bursts": ("number of places each sensor stands in", 1, 9),
     "frames": ("number of depth frames", 1, 999),
@@ -114,6 +125,9 @@ class SimulationOptions:
     foot_seed
         Of the one foot, which is put back some millimetres and degrees away, by chance of `seed`;
         by default the foot is that of `seed`, in its place.
+    sensor
+        ``kinect``, ``d415`` (stereo cameras as a RealSense D415, all projectors on at once), or
+        ``mixed``: stereo cameras before the sole, Kinects behind the tendon.
 
     Raises
     ------
@@ -130,7 +144,7 @@ class SimulationOptions:
     color_frames: int = 1
     shape: FootShape | None = None
     half_angle_deg: float = 27.0
-    color_size: tuple[int, int] = (1280, 1024)
+    color_size: tuple[int, int] = _FULL_COLOR
     foot_cell_mm: float = DEFAULT_CELL_MM
     ideal: bool = False
     sensors: int = 4
@@ -138,6 +152,7 @@ class SimulationOptions:
     body: KnownBody | None = None
     sensor_seed: int | None = None
     foot_seed: int | None = None
+    sensor: SensorKind = "kinect"
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -147,6 +162,11 @@ class SimulationOptions:
                 "1280 x 960 or 640 x 480.",
                 width=self.color_size[0],
                 height=self.color_size[1],
+            )
+        if self.sensor != "kinect" and (self.ideal or self.color_size != _FULL_COLOR):
+            raise UsageError(
+                "A stereo camera always has a matching window, and colour images of 1920 x 1080; "
+                "leave out what asks for others."
             )
         if self.shape is not None and self.shape.side is not self.side:
             raise UsageError(
@@ -226,24 +246,33 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     surface = joined([*placed, *holders])
     caster = SceneCaster(build_scene(surface, reference_system, rng))
 
-    record = _recorder_of_depth(options, surface, reference_system)
+    markers = [marker.position_mm for marker in reference_system.markers]
+    things = np.vstack([surface.vertices, *markers])
+    record = _recorder_of_depth(options, things)
     stands = _stands(options.sensors, reference_system)
     plan = _plan(stands, options.bursts)
     devices = {
         name: _device(options, number, stand.face)
         for number, (name, stand) in enumerate(stands.items())
     }
-    views, poses = [], {}
+    rngs = [np.random.default_rng([options.seed, 2, number]) for number in range(len(plan))]
+    poses = {
+        name: stand_sensor(stands[sensor], options.distance_mm, options.half_angle_deg, rng)
+        for (name, sensor), rng in zip(plan, rngs, strict=True)
+    }
+    views = []
     for number, (name, sensor) in enumerate(plan):
         progress.step(0.1 + 0.9 * number / len(plan), "Simulating view {name}", name=name)
-        rng = np.random.default_rng([options.seed, 2, number])
-        poses[name] = stand_sensor(stands[sensor], options.distance_mm, options.half_angle_deg, rng)
-        recorder = Recorder(
-            record(caster, devices[sensor], poses[name], rng),
-            record_color(caster, devices[sensor].sensor, poses[name]),
-            [options.seed, 3, number],
-        )
-        views.append(_view(name, devices[sensor], recorder, options))
+        device, rng = devices[sensor], rngs[number]
+        depth: _DepthView
+        if isinstance(device, StereoDevice):
+            projectors = _projectors(plan, devices, poses, name)
+            depth = record_stereo(caster, projectors[0], projectors, rng, things=things)
+        else:
+            depth = record(caster, device, poses[name], rng)
+        color = record_color(caster, device.sensor, poses[name])
+        recorder = Recorder(depth, color, [options.seed, 3, number])
+        views.append(_view(name, device, recorder, options))
     manifest = _manifest(options, reference_system, tuple(poses))
     session = Session(
         manifest, tuple(views), Message("the simulation with seed {seed}", seed=options.seed)
@@ -311,11 +340,34 @@ def _plan(stands: Iterable[str], bursts: int) -> list[tuple[str, str]]:
     ]
 
 
-def _device(options: SimulationOptions, number: int, face: str) -> Device:
+def _projectors(
+    plan: list[tuple[str, str]],
+    devices: dict[str, Device | StereoDevice],
+    poses: dict[str, FloatArray],
+    own: str,
+) -> list[Projector]:
+    """Return the projectors that shine while a view is taken, its own first.
+
+    Of sensors that stand in several places those of the same number, as they are taken at once.
+    """
+    places = [view for view, sensor in plan if view.removeprefix(sensor) == _place_of(plan, own)]
+    others = (view for view in places if view != own)
+    found = ((devices[dict(plan)[view]], poses[view]) for view in (own, *others))
+    return [Projector(device, pose) for device, pose in found if isinstance(device, StereoDevice)]
+
+
+def _place_of(plan: list[tuple[str, str]], view: str) -> str:
+    return view.removeprefix(dict(plan)[view])
+
+
+def _device(options: SimulationOptions, number: int, face: str) -> Device | StereoDevice:
     seed = options.seed if options.sensor_seed is None else options.sensor_seed
     rng = np.random.default_rng([seed, 1, number])
+    serial = f"SIM{seed:05d}{number}"
+    if options.sensor == "d415" or (options.sensor == "mixed" and face == "sole"):
+        return make_stereo_device(serial, (face,), rng)
     return make_device(
-        f"SIM{seed:05d}{number}",
+        serial,
         (face,),
         options.distance_mm,
         options.color_size,
@@ -323,7 +375,9 @@ def _device(options: SimulationOptions, number: int, face: str) -> Device:
     )
 
 
-def _view(name: str, device: Device, recorder: Recorder, options: SimulationOptions) -> View:
+def _view(
+    name: str, device: Device | StereoDevice, recorder: Recorder, options: SimulationOptions
+) -> View:
     return View(
         name,
         device.sensor,
@@ -331,6 +385,7 @@ def _view(name: str, device: Device, recorder: Recorder, options: SimulationOpti
         options.color_frames,
         recorder.read_depth,
         recorder.read_color,
+        recorder.infrared,
     )
 
 
@@ -351,17 +406,16 @@ class _DepthView(Protocol):
     """A recording of a still scene by a depth camera."""
 
     def frame(self, rng: np.random.Generator) -> RawArray:
-        """Draw one frame: (480, 640) uint16."""
+        """Draw one frame as it is stored: (height, width) uint16."""
         ...
 
 
 def _recorder_of_depth(
-    options: SimulationOptions, feet: TriangleMesh, reference_system: ReferenceSystem
+    options: SimulationOptions, things: FloatArray
 ) -> Callable[[SceneCaster, Device, FloatArray, np.random.Generator], _DepthView]:
     if options.ideal:
         return record_depth
-    markers = [marker.position_mm for marker in reference_system.markers]
-    return partial(record_matched_depth, things=np.vstack([feet.vertices, *markers]))
+    return partial(record_matched_depth, things=things)
 
 
 @dataclass(frozen=True, eq=False)
@@ -376,9 +430,23 @@ class Recorder:
     seed: list[int]
 
     def read_depth(self, frame: int) -> RawArray:
-        """Draw a depth frame, (480, 640) uint16, raw units."""
+        """Draw a depth frame as it is stored, (height, width) uint16."""
         return self.depth.frame(np.random.default_rng([*self.seed, 1, frame]))
 
     def read_color(self, frame: int) -> ByteArray:
         """Draw a colour frame, (height, width, 3) uint8, RGB."""
         return self.color.frame(np.random.default_rng([*self.seed, 2, frame]))
+
+    @property
+    def infrared(self) -> dict[str, InfraredPictures]:
+        """The pair behind a stereo camera's depth, one picture each."""
+        if not isinstance(self.depth, StereoRecording):
+            return {}
+        pair = self.depth.infrared(np.random.default_rng([*self.seed, 3]))
+        return {
+            name: InfraredPictures(1, partial(_only, image), bits=8) for name, image in pair.items()
+        }
+
+
+def _only(image: RawArray, _index: int) -> RawArray:
+    return image

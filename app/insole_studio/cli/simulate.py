@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 NAME = "simulate"
 HELP = "write a simulated session with its true surface and poses"
 
+_DISTANCES_MM = {"kinect": 800.0, "d415": 520.0, "mixed": 520.0}
+"""Kind of sensor, and how far it stands from the foot where nobody says."""
 _COLOR_SIZES = {"1280x1024": (1280, 1024), "1280x960": (1280, 960), "640x480": (640, 480)}
 
 
@@ -45,7 +47,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="sensors around both feet, 4 to 6 (default 4); one foot has three",
     )
     parser.add_argument(
-        "--distance", type=number, default=800.0, metavar="MM", help="sensors to foot (default 800)"
+        "--sensor",
+        choices=list(_DISTANCES_MM),
+        default="kinect",
+        help="Kinects (default), stereo cameras as a RealSense D415, or those below and a Kinect "
+        "behind",
+    )
+    parser.add_argument(
+        "--distance",
+        type=number,
+        metavar="MM",
+        help="sensors to foot (default 800, with stereo cameras 520)",
     )
     parser.add_argument(
         "--bursts",
@@ -94,7 +106,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         sensor_seed=arguments.sensor_seed,
         foot_seed=arguments.foot_seed,
         side=sides_from(arguments.side),
-        distance_mm=arguments.distance,
+        sensor=arguments.sensor,
+        distance_mm=_DISTANCES_MM[arguments.sensor]
+        if arguments.distance is None
+        else arguments.distance,
         bursts=arguments.bursts,
         color_frames=arguments.color_frames,
         color_size=_COLOR_SIZES[arguments.color_size],

@@ -260,6 +260,10 @@
             <translation>En ruta på {square_mm:g} mm är inte möjlig; mät dess sida och ange den i millimeter ({low_mm:g} till {high_mm:g}).</translation>
         </message>
         <message>
+            <source>A stereo camera always has a matching window, and colour images of 1920 x 1080; leave out what asks for others.</source>
+            <translation>En stereokamera har alltid ett matchningsfönster, och färgbilder på 1920 x 1080; utelämna det som begär något annat.</translation>
+        </message>
+        <message>
             <source>A stiff shell; the arch lower than usual.</source>
             <translation>Ett styvt skal; valvet lägre än vanligt.</translation>
         </message>

@@ -164,7 +164,7 @@ def test_the_reference_system_cannot_be_mistaken_for_itself_turned() -> None:
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"distance_mm": 50.0}, "distance of the sensors .* 50; choose a value from 500 to 1500"),
+        ({"distance_mm": 50.0}, "distance of the sensors .* 50; choose a value from 400 to 1500"),
         ({"distance_mm": float("nan")}, "distance of the sensors"),
         ({"bursts": 0}, "number of places"),
         ({"seed": -1}, "seed"),
