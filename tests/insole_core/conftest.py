@@ -43,26 +43,27 @@ def right_foot(right_mesh: TriangleMesh) -> Foot:
 
 
 @pytest.fixture(scope="session")
-def placed_scan(shared_data: Path) -> Callable[[str, Side], Foot]:
-    """Read and place each scan of the reference data once."""
-
-    @cache
-    def placed(file: str, side: Side) -> Foot:
-        return place_foot(read_mesh(shared_data / "feet" / file).mesh, side, frame="unknown")
-
-    return placed
+def scanned_mesh(shared_data: Path) -> Callable[[str], TriangleMesh]:
+    """Read each scan of the reference data once."""
+    return cache(lambda file: read_mesh(shared_data / "feet" / file).mesh)
 
 
 @pytest.fixture(scope="session")
-def true_foot(shared_data: Path) -> Callable[[str, Side], Foot]:
-    """Read and place the true foot of each session of the reference data once."""
+def placed_scan(scanned_mesh: Callable[[str], TriangleMesh]) -> Callable[[str, Side], Foot]:
+    """Place each scan of the reference data once."""
+    return cache(lambda file, side: place_foot(scanned_mesh(file), side, frame="unknown"))
 
-    @cache
-    def placed(session: str, side: Side) -> Foot:
-        mesh = read_mesh(shared_data / "sessions" / session / "truth.ply").mesh
-        return place_foot(mesh, side, frame="reference")
 
-    return placed
+@pytest.fixture(scope="session")
+def true_mesh(shared_data: Path) -> Callable[[str], TriangleMesh]:
+    """Read the true surface of each session of the reference data once."""
+    return cache(lambda session: read_mesh(shared_data / "sessions" / session / "truth.ply").mesh)
+
+
+@pytest.fixture(scope="session")
+def true_foot(true_mesh: Callable[[str], TriangleMesh]) -> Callable[[str, Side], Foot]:
+    """Place the true foot of each session of the reference data once."""
+    return cache(lambda session, side: place_foot(true_mesh(session), side, frame="reference"))
 
 
 @pytest.fixture(scope="module")

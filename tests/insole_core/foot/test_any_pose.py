@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -170,12 +171,12 @@ def test_a_residual_limb_is_no_foot(shared_data: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.shared
-def test_real_feet_are_sure(shared_data: Path) -> None:
+def test_real_feet_are_sure(scanned_mesh: Callable[[str], TriangleMesh]) -> None:
     for name, side in [
         ("dupontgu/left_foot.stl", Side.LEFT),
         ("dupontgu/right_foot.stl", Side.RIGHT),
         ("focus_template/template.obj", Side.LEFT),
         ("plantar_scan.obj", Side.RIGHT),
     ]:
-        found = find_foot(thrown(read_mesh(shared_data / "feet" / name).mesh, 1)[0])
+        found = find_foot(thrown(scanned_mesh(name), 1)[0])
         assert (found.told_side, found.doubts) == (side, ()), name

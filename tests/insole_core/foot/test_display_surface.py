@@ -17,7 +17,6 @@ from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
 from insole_core.resources import resource_path
-from insole_core.scans.mesh_file import read_mesh
 from insole_core.workflows.open_scan import open_scan
 
 
@@ -153,10 +152,12 @@ def test_a_session_of_the_reference_is_presentable(recorded_foot: Callable[[str]
 
 @pytest.mark.shared
 @pytest.mark.parametrize(
-    "scan", ["plantar_scan.obj", "dupontgu/left_foot.stl", "limb/stl_file.stl"]
+    "name", ["plantar_scan.obj", "dupontgu/left_foot.stl", "limb/stl_file.stl"]
 )
-def test_foreign_scans_hardly_change(shared_data: Path, scan: str) -> None:
-    mesh = read_mesh(shared_data / "feet" / scan).mesh
+def test_foreign_scans_hardly_change(
+    scanned_mesh: Callable[[str], TriangleMesh], name: str
+) -> None:
+    mesh = scanned_mesh(name)
     shown = display_surface(mesh).mesh
     assert abs(shown.area_mm2 / mesh.area_mm2 - 1) < 0.005
     assert np.abs(shown.bounds_mm - mesh.bounds_mm).max() < 1.5

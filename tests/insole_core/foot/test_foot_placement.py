@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +19,6 @@ from insole_core.foot.foot_placement import (
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import is_rotation, rigid, transform
-from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import vary_shape
 
@@ -208,8 +206,8 @@ def test_back_of_a_foot_alone_is_refused(left_mesh):
 
 @pytest.mark.slow
 @pytest.mark.shared
-def test_real_plantar_scan_is_a_right_foot(shared_data: Path):
-    mesh = read_mesh(shared_data / "feet" / "plantar_scan.obj").mesh
+def test_real_plantar_scan_is_a_right_foot(scanned_mesh):
+    mesh = scanned_mesh("plantar_scan.obj")
     found = find_foot(mesh)
     own, other = found.best(Side.RIGHT), found.best(Side.LEFT)
     assert own is not None
@@ -226,9 +224,8 @@ def test_real_plantar_scan_is_a_right_foot(shared_data: Path):
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize(("session", "side"), [("left_a", Side.LEFT), ("right_b", Side.RIGHT)])
-def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
-    mesh = read_mesh(shared_data / "sessions" / session / "truth.ply").mesh
-    foot = place_foot(mesh, side, frame="reference")
+def test_true_foot_of_a_session(true_mesh, true_foot, session: str, side: Side):
+    foot = true_foot(session, side)
     check_frame(foot.mesh, side)
-    again = place_foot(thrown(mesh, 3), side, frame="unknown")
+    again = place_foot(thrown(true_mesh(session), 3), side, frame="unknown")
     assert np.linalg.norm(again.mesh.vertices - foot.mesh.vertices, axis=1).max() < 0.1

@@ -20,7 +20,6 @@ from insole_core.geometry import mesh_graph
 from insole_core.geometry.mesh import ContourConstraints, TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import vary_shape
 
@@ -84,10 +83,9 @@ def test_measures_of_simulated_feet(model, placed):
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize(("session", "side"), [("left_a", Side.LEFT), ("right_b", Side.RIGHT)])
-def test_true_foot_of_a_session(shared_data: Path, session: str, side: Side):
+def test_true_foot_of_a_session(shared_data: Path, true_foot, session: str, side: Side):
     truth = json.loads((shared_data / "sessions" / "landmarks.json").read_text())[str(side)]
-    mesh = read_mesh(shared_data / "sessions" / session / "truth.ply").mesh
-    foot = place_foot(mesh, side, frame="reference")
+    foot = true_foot(session, side)
     found = find_landmarks(foot)
     for name in ("pternion", "metatarsale_tibiale", "metatarsale_fibulare"):
         away = found[name].point - transform(foot.source2insole, np.array(truth[name]))
@@ -136,23 +134,19 @@ def axis_deg(foot: Foot) -> float:
     return float(np.degrees(np.arctan2((toe - heel)[0] * foot.side.medial_sign, (toe - heel)[1])))
 
 
-def test_outlines_show_where_the_foot_points(model):
+def test_outlines_show_where_the_foot_points(model, placed):
     touches = seen_from(model.mesh, [[-330, 0, -700], [330, 0, -700]])
     sole = model.mesh.part(model.mesh.vertex_normals[:, 2] < -0.3)
-    side = model.shape.side
-    whole = place_foot(model.mesh, side, frame="reference")
-    seen = place_foot(replace(sole, touches=touches), side, frame="reference")
-    assert axis_deg(seen) == pytest.approx(axis_deg(whole), abs=0.4)
+    seen = place_foot(replace(sole, touches=touches), model.shape.side, frame="reference")
+    assert axis_deg(seen) == pytest.approx(axis_deg(placed), abs=0.4)
 
 
 @pytest.mark.slow
 @pytest.mark.shared
 def test_a_real_foot_whose_toes_melt_together_is_as_long_and_points_as_it_does(
-    shared_data: Path, recorded_foot
+    true_foot, recorded_foot
 ):
-    foot = recorded_foot("left_h")
-    mesh = read_mesh(shared_data / "sessions" / "left_h" / "truth.ply").mesh
-    truth = place_foot(mesh, Side.LEFT, frame="reference")
+    foot, truth = recorded_foot("left_h"), true_foot("left_h", Side.LEFT)
     marks = find_landmarks(foot)
     known = measure(truth, find_landmarks(truth))
     assert measure(foot, marks)["foot_length"] == pytest.approx(known["foot_length"], abs=0.8)

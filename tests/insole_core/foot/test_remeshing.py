@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 import manifold3d
 import numpy as np
@@ -17,7 +16,6 @@ from insole_core.foot.measures import DEFINITIONS, doubts, measure
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, transform
-from insole_core.scans.mesh_file import read_mesh
 
 MOST = {"mm": 0.2, "degrees": 0.2, "": 0.01}
 SIZES = ("shoe_size_eu", "shoe_size_uk", "shoe_size_us", "mondopoint")  # rounded
@@ -90,22 +88,26 @@ def test_triangles_of_a_simulated_foot_do_not_matter(
 @pytest.mark.shared
 @pytest.mark.parametrize(("side", "remesh"), list(zip([*Side, *Side], CLOSED, strict=True)))
 def test_triangles_of_a_real_foot_do_not_matter(
-    shared_data: Path, real_foot: Callable[[str, Side], Foot], side: Side, remesh: Remesh
+    scanned_mesh: Callable[[str], TriangleMesh],
+    real_foot: Callable[[str, Side], Foot],
+    side: Side,
+    remesh: Remesh,
 ) -> None:
     name = f"dupontgu/{side}_foot.stl"
-    mesh = read_mesh(shared_data / "feet" / name).mesh
-    check_same(real_foot(name, side), place_foot(remesh(mesh), side, frame="unknown"))
+    check_same(real_foot(name, side), place_foot(remesh(scanned_mesh(name)), side, frame="unknown"))
 
 
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize("remesh", OPEN)
 def test_triangles_of_a_real_plantar_scan_do_not_matter(
-    shared_data: Path, real_foot: Callable[[str, Side], Foot], remesh: Remesh
+    scanned_mesh: Callable[[str], TriangleMesh],
+    real_foot: Callable[[str, Side], Foot],
+    remesh: Remesh,
 ) -> None:
-    mesh = read_mesh(shared_data / "feet" / "plantar_scan.obj").mesh
-    foot = real_foot("plantar_scan.obj", Side.RIGHT)
-    check_same(foot, place_foot(remesh(mesh), Side.RIGHT, frame="unknown"))
+    name = "plantar_scan.obj"
+    again = place_foot(remesh(scanned_mesh(name)), Side.RIGHT, frame="unknown")
+    check_same(real_foot(name, Side.RIGHT), again)
 
 
 def coarse(mesh: TriangleMesh) -> TriangleMesh:
