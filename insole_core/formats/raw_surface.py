@@ -5,7 +5,7 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -19,6 +19,8 @@ _MOST_DEPTH, _MOST_PARTS = 64, 10_000
 _MOST_CORNERS: Final = 20_000_000  # as many as one file of the greatest size holds
 MOST_CORNERS = 1000
 """Of one polygon; a scan has triangles, seldom four corners."""
+_Placed: TypeAlias = tuple[FloatArray, IntArray, FloatArray]
+"""Vertices (n, 3), triangles (m, 3) and place (4, 4) of a mesh, affine."""
 
 
 def _no_triangles() -> IndexArray:
@@ -84,15 +86,25 @@ def _placed(vertices: FloatArray, a2b: FloatArray) -> FloatArray:
     return columns[0] + columns[1] + columns[2] + a2b[:3, 3]
 
 
-def join_placed(
-    meshes: Iterable[tuple[FloatArray, IntArray, FloatArray]],
-) -> tuple[FloatArray, IndexArray]:
+def _as_many_as_in_scans(meshes: Iterable[_Placed]) -> list[_Placed]:
+    """Return meshes that together are no larger than a scan: counted before any is moved."""
+    counted: list[_Placed] = []
+    corners = 0
+    for points, faces, place in meshes:
+        corners += max(len(points), len(faces))
+        if corners > _MOST_CORNERS:
+            raise ValueError(Message("it has far more corners than a scan"))
+        counted.append((points, faces, place))
+    return counted
+
+
+def join_placed(meshes: Iterable[_Placed]) -> tuple[FloatArray, IndexArray]:
     """Join meshes, each moved to its place; a mirrored one stays the right way out.
 
     Parameters
     ----------
     meshes
-        Vertices (n, 3), triangles (m, 3) and place (4, 4) of each, affine.
+        As they are placed.
 
     Returns
     -------
@@ -106,11 +118,8 @@ def join_placed(
     """
     vertices: list[FloatArray] = [np.empty((0, 3))]
     triangles: list[IntArray] = [np.empty((0, 3), np.int64)]
-    start = corners = 0
-    for points, faces, place in meshes:
-        corners += max(len(points), len(faces))
-        if corners > _MOST_CORNERS:
-            raise ValueError(Message("it has far more corners than a scan"))
+    start = 0
+    for points, faces, place in _as_many_as_in_scans(meshes):
         if len(faces) and (faces.min() < 0 or faces.max() >= len(points)):
             raise ValueError(Message("a triangle in it names a corner that it does not hold"))
         is_mirrored = np.linalg.det(place[:3, :3]) < 0
@@ -144,7 +153,7 @@ def join_objects(
 
 def _meshes(
     objects: Mapping[str, Assembly], build: Sequence[tuple[str, FloatArray]]
-) -> Iterable[tuple[FloatArray, IntArray, FloatArray]]:
+) -> Iterable[_Placed]:
     waiting = [(name, place, 0) for name, place in build]
     visited = 0
     while waiting:
