@@ -11,7 +11,7 @@ import logging
 import os
 import sys
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TextIO
@@ -134,7 +134,8 @@ def _exit_code(arguments: list[str], stop: StopRequest) -> int:
 
 
 def _run(arguments: list[str], stop: StopRequest) -> None:
-    parsed = command_parser().parse_args(_with_command(arguments))
+    words = _with_command(arguments)
+    parsed = command_parser(words).parse_args(words)
     check_texts(parsed)
     check_paths(parsed)
     settle_interrupted(state_folder_of_user())
@@ -194,8 +195,14 @@ def _report(error: Exception, request: str) -> int:
     return 1
 
 
-def command_parser() -> argparse.ArgumentParser:
-    """Return the parser of all commands, which the manual describes too."""
+def command_parser(words: Collection[str] | None = None) -> argparse.ArgumentParser:
+    """Return the parser of all commands, which the manual describes too.
+
+    Parameters
+    ----------
+    words
+        What it is to parse: a command that is not among them needs no arguments, which are many.
+    """
     parser = Parser(
         prog="insole-studio",
         description="Custom insoles from scans of the foot. Without a command the window opens.",
@@ -209,6 +216,7 @@ def command_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(metavar="COMMAND")
     for command in COMMANDS:
         sub = commands.add_parser(command.NAME, help=command.HELP, description=command.HELP)
-        command.add_arguments(sub)
         sub.set_defaults(command=command)
+        if words is None or command.NAME in words:
+            command.add_arguments(sub)
     return parser
