@@ -59,6 +59,7 @@ SHARED = (
     (MeasuredView, "_registered"),
     (compare_case, "compare_surfaces"),
     (order, "simplify"),
+    (order, "check_solid"),
     (board, "_chequerboard_corners"),
 )
 """Functions whose results are told by the content of what they are given."""
