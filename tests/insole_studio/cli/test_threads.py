@@ -13,8 +13,7 @@ from insole_studio.__main__ import LINEAR_ALGEBRA_THREADS
 
 ENVIRONMENTS: tuple[dict[str, str], ...] = (
     {},
-    dict.fromkeys(LINEAR_ALGEBRA_THREADS, "4"),
-    {"OPENBLAS_NUM_THREADS": "2", "OMP_NUM_THREADS": "3"},
+    dict.fromkeys(LINEAR_ALGEBRA_THREADS, "4") | {"OMP_NUM_THREADS": "3"},
 )
 
 
