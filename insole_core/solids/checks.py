@@ -14,7 +14,7 @@ from insole_core.errors import DesignError
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.ray_casting import RayCaster
+from insole_core.geometry.ray_casting import RayCaster, RayHits
 from insole_core.geometry.transforms import transform
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.messages import Message, Value
@@ -200,8 +200,8 @@ def _worst_of(findings: Sequence[Finding]) -> Finding:
 
 def survey_heights(solid: TriangleMesh) -> HeightMap:
     """Return the heights of a solid, mm, in its own frame."""
-    top_mm, first_mm = survey_side(solid, from_above=True)
-    return HeightMap(top_mm, survey_side(solid, from_above=False)[0], first_mm)
+    survey = _Survey(solid)
+    return HeightMap(survey.heights(-1.0), survey.heights(1.0), survey.first_mm)
 
 
 def survey_side(solid: TriangleMesh, *, from_above: bool) -> tuple[FloatArray, tuple[float, float]]:
@@ -214,10 +214,8 @@ def survey_side(solid: TriangleMesh, *, from_above: bool) -> tuple[FloatArray, t
     first_mm
         x and y of the centre of the pixel [0, 0].
     """
-    sign = 1 if from_above else -1
-    survey = _Survey(TriangleMesh(solid.vertices * [1, 1, sign], solid.triangles))
-    x, y = survey.places[0, 0]
-    return sign * survey.seen[0], (float(x), float(y))
+    survey = _Survey(solid)
+    return survey.heights(-1.0 if from_above else 1.0), survey.first_mm
 
 
 class _Survey:
@@ -244,20 +242,36 @@ class _Survey:
     def unmarked_caster(self) -> RayCaster:
         return self.caster if self.unmarked is self.solid else RayCaster(self.unmarked)
 
+    @property
+    def first_mm(self) -> tuple[float, float]:
+        """x and y of the centre of the pixel [0, 0]."""
+        x, y = self.places[0, 0]
+        return float(x), float(y)
+
+    def heights(self, towards_z: float) -> FloatArray:
+        """Return the heights (ny, nx) met from above (-1) or below (+1), NaN beside the solid."""
+        return self._heights_of(self._look(towards_z))
+
     @cached_property
     def seen(self) -> tuple[FloatArray, FloatArray]:
-        """Heights (ny, nx), NaN beside the solid, and normals (ny, nx, 3)."""
+        """Heights (ny, nx) from above, NaN beside the solid, and normals (ny, nx, 3)."""
+        hits = self._look(-1.0)
+        normals = np.zeros((*self.places.shape[:2], 3))
+        normals.reshape(-1, 3)[hits.ray] = self.solid.triangle_normals[hits.triangle]
+        return self._heights_of(hits), normals
+
+    def _look(self, towards_z: float) -> RayHits:
         flat = self.places.reshape(-1, 2)
-        above = self.solid.bounds_mm[1, 2] + 10
-        origins = np.column_stack([flat, np.full(len(flat), above)])
-        hits = self.caster.cast(origins, np.broadcast_to([0.0, 0, -1], origins.shape))
-        heights = np.full(len(flat), np.nan)
+        low, high = self.solid.bounds_mm[:, 2]
+        start = high + 10 if towards_z < 0 else low - 10
+        origins = np.column_stack([flat, np.full(len(flat), start)])
+        return self.caster.cast(origins, np.broadcast_to([0.0, 0, towards_z], origins.shape))
+
+    def _heights_of(self, hits: RayHits) -> FloatArray:
+        heights = np.full(self.places.shape[:2], np.nan)
         corners = self.solid.vertices[self.solid.triangles[hits.triangle], 2]
-        heights[hits.ray] = (hits.weights * corners).sum(axis=1)
-        normals = np.zeros((len(flat), 3))
-        normals[hits.ray] = self.solid.triangle_normals[hits.triangle]
-        shape = self.places.shape[:2]
-        return heights.reshape(shape), normals.reshape(*shape, 3)
+        heights.ravel()[hits.ray] = (hits.weights * corners).sum(axis=1)
+        return heights
 
     @cached_property
     def inner(self) -> BoolArray:

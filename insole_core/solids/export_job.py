@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from datetime import date
+from functools import cached_property
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -216,8 +217,9 @@ class PlacedPart:
             for layer in self.part.layers(shop)
         )
 
+    @cached_property
     def heights(self) -> HeightMap:
-        """Return the solid seen from above, in the frame of the file."""
+        """The heights of the solid, in the frame of the file."""
         return survey_heights(self.part.solid.transformed(self.insole2file))
 
 
@@ -445,7 +447,7 @@ def _job_sheet(
         warnings=tuple(map(say, part.warnings)),
         file=beside.solid,
         file_name=places.solid.name,
-        height_map=piece.heights if piece is not None and is_upright else placed.heights(),
+        height_map=piece.heights if piece is not None and is_upright else placed.heights,
         failed_mm=placed.failed_mm,
         is_nested=job.is_nested,
         drawn=piece,
@@ -506,7 +508,7 @@ def _nesting(block: Block, placed: tuple[PlacedPart, ...]) -> Nesting:
         parts=tuple(
             NestedPart(
                 name=str(each.part.side),
-                heights=each.heights(),
+                heights=each.heights,
                 bounds_mm=each.part.solid.transformed(each.insole2file).bounds_mm,
                 turn_deg=180 if each.insole2file[1, 1] < 0 else 0,
                 failed_mm=each.failed_mm,
