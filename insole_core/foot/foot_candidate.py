@@ -118,6 +118,11 @@ class FootCandidate:
         return self.length_mm * self.covered
 
     @property
+    def part_mm(self) -> float | None:
+        """What was scanned of a foot whose length is a guess; None where the length is known."""
+        return None if self.is_length_known else self.surface_mm
+
+    @property
     def length_text(self) -> Message:
         """The length, or what is known of it."""
         if self.is_length_known:

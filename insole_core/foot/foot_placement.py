@@ -106,7 +106,7 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
     candidate = next(one for one in found.candidates if one.side is side)
     foot = placed_foot(found, candidate, force=force)
     if frame == "unknown":
-        check_length(foot.length_mm, force=force)
+        check_length(foot.length_mm, candidate.part_mm, force=force)
         if not force:
             check_proportions(proportions(foot.mesh, foot.length_mm))
     return foot

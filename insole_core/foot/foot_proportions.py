@@ -78,22 +78,40 @@ def proportions(mesh: TriangleMesh, length_mm: float) -> Proportions:
     return Proportions(length_mm, scanned_mm, ball, heel, midfoot, toe_height, float(thickness))
 
 
-def check_length(length_mm: float, *, force: bool = False) -> None:
+def check_length(length_mm: float, scanned_mm: float | None = None, *, force: bool = False) -> None:
     """Check that a foot can be as long, or if forced, that it can be kept.
+
+    Parameters
+    ----------
+    length_mm
+    scanned_mm
+        What was scanned of a foot without toes, whose length is a guess and is not told; None for
+        a whole foot.
+    force
 
     Raises
     ------
     InputError
         With the numbers.
     """
-    if not is_within(length_mm, _FORCED_LENGTH_MM if force else LENGTH_MM):
+    if is_within(length_mm, _FORCED_LENGTH_MM if force else LENGTH_MM):
+        return
+    least_mm, most_mm = LENGTH_MM
+    if scanned_mm is not None:
         raise InputError(
-            "The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to "
-            "{most_mm:g} mm long; check its unit, and that it is a whole foot.",
-            length_mm=length_mm,
-            least_mm=LENGTH_MM[0],
-            most_mm=LENGTH_MM[1],
+            "The surface shows {scanned_mm:.0f} mm of a foot without its toes, which fits no foot "
+            "of {least_mm:g} to {most_mm:g} mm; check its unit, and that it is a foot.",
+            scanned_mm=scanned_mm,
+            least_mm=least_mm,
+            most_mm=most_mm,
         )
+    raise InputError(
+        "The surface would be a foot of {length_mm:.0f} mm, and feet are {least_mm:g} to "
+        "{most_mm:g} mm long; check its unit, and that it is a whole foot.",
+        length_mm=length_mm,
+        least_mm=least_mm,
+        most_mm=most_mm,
+    )
 
 
 def check_proportions(sizes: Proportions) -> None:

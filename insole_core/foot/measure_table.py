@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from insole_core.export.csv_text import csv_text
 from insole_core.foot.foot import Foot
-from insole_core.foot.measures import DEFINITIONS, NOT_MARKED
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.foot.measures import DEFINITIONS, NOT_MARKED, is_length_seen
 from insole_core.foot.spread import UNKNOWN, MeasuredFoot, Spread
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
@@ -104,7 +105,12 @@ def table_csv(rows: Iterable[MeasureRow]) -> str:
 
 
 def unlike_sizes(left: Foot, right: Foot) -> str:
-    """Return a warning when two feet can hardly belong to one patient; empty when they can."""
+    """Return a warning when two feet can hardly belong to one patient; empty when they can.
+
+    Lengths that are guesses are not compared.
+    """
+    if not all(is_length_seen(find_landmarks(foot)) for foot in (left, right)):
+        return ""
     apart = abs(left.length_mm - right.length_mm)
     if apart <= max(_UNLIKE_MM, _UNLIKE_SHARE * min(left.length_mm, right.length_mm)):
         return ""

@@ -270,6 +270,11 @@ def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
     return {name: measures[name] for name in DEFINITIONS}
 
 
+def is_length_seen(landmarks: Landmarks) -> bool:
+    """Return whether heel and toes were scanned, so that the foot's length is no guess."""
+    return all(landmarks[name].confidence > GUESS for name in _ends("foot_length", landmarks))
+
+
 def _sizes(length: float | None) -> dict[str, float | None]:
     if length is None:
         return dict.fromkeys(("shoe_size_eu", "shoe_size_uk", "shoe_size_us", "mondopoint"))

@@ -181,7 +181,7 @@ def take_foot(
         When no foot is as long, unless forced.
     """
     foot = placed_foot(found, candidate, force=choice.force)
-    check_length(foot.length_mm, force=choice.force)
+    check_length(foot.length_mm, candidate.part_mm, force=choice.force)
     if not choice.force:
         check_proportions(proportions(foot.mesh, foot.length_mm))
     form = examination.form

@@ -122,8 +122,7 @@ def with_unit_doubt(found: FoundFoot, read: ReadMesh) -> FoundFoot:
         return found
     nearest = found.candidates[0]
     length_mm = nearest.length_mm
-    scanned_mm = None if nearest.is_length_known else nearest.surface_mm
-    likely = UnitReading(read.unit, length_mm, scanned_mm)
+    likely = UnitReading(read.unit, length_mm, nearest.part_mm)
     others = [likely.in_unit(unit) for unit in MM_PER_UNIT if unit != read.unit]
     is_adult = is_within(length_mm, (_ADULT_MM, USUAL_LENGTH_MM[1]))
     if (
@@ -161,7 +160,8 @@ def foot_text(reading: UnitReading) -> Message:
     """Describe the foot that a file shows in one unit."""
     length_mm = reading.length_mm
     if not is_within(length_mm, LENGTH_MM):
-        return Message("{length_mm:.0f} mm (no foot)", length_mm=length_mm)
+        seen_mm = length_mm if reading.scanned_mm is None else reading.scanned_mm
+        return Message("{length_mm:.0f} mm (no foot)", length_mm=seen_mm)
     if reading.scanned_mm is not None:
         return Message(
             "a foot without toes, of which {scanned_mm:.0f} mm were scanned",

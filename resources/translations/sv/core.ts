@@ -3840,6 +3840,10 @@
             <translation>Ytan liknar ingen fot, hur den än vrids; kontrollera att filen innehåller en fot eller dess sula, och inget annat.</translation>
         </message>
         <message>
+            <source>The surface shows {scanned_mm:.0f} mm of a foot without its toes, which fits no foot of {least_mm:g} to {most_mm:g} mm; check its unit, and that it is a foot.</source>
+            <translation>Ytan visar {scanned_mm:.0f} mm av en fot utan tår, vilket inte passar någon fot på {least_mm:g} till {most_mm:g} mm; kontrollera enheten och att det är en fot.</translation>
+        </message>
+        <message>
             <source>The surface was inside out and has been turned.</source>
             <translation>Ytan var ut och in och har vänts.</translation>
         </message>

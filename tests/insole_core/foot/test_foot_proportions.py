@@ -12,11 +12,14 @@ import trimesh
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
+from insole_core.foot.foot_proportions import check_length
+from insole_core.formats.units import UnitReading
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
+from insole_core.workflows.scan_doubts import foot_text
 
 make = trimesh.creation
 Shape = Callable[[TriangleMesh], TriangleMesh]
@@ -53,6 +56,15 @@ def test_what_is_no_foot_is_refused(left_mesh: TriangleMesh, what: str) -> None:
     shape, words = NO_FEET[what]
     with pytest.raises(InputError, match=words):
         place_foot(shape(left_mesh), Side.LEFT, frame="unknown")
+
+
+def test_the_guessed_length_of_a_foot_without_toes_is_not_told() -> None:
+    with pytest.raises(InputError) as caught:
+        check_length(420.0, 357.0)
+    assert "357 mm of a foot without its toes" in str(caught.value)
+    assert "420" not in str(caught.value)
+    doubted = foot_text(UnitReading("cm", 420.0, 357.0))
+    assert doubted == "357 mm (no foot)"
 
 
 def test_a_finished_insole_is_no_foot(left_foot: Foot) -> None:

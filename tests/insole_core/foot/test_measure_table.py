@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.measure_table import MeasureRow, measure_table, table_csv, unlike_sizes
 from insole_core.foot.spread import MeasuredFoot, Spread, SpreadSource
 from insole_core.geometry.side import Side
@@ -73,6 +74,12 @@ def test_a_difference_within_the_error_of_both_feet_has_no_share(
     assert row.difference_limits == pytest.approx(1.5)  # the root of the sum of both squares
     assert row.is_within_error is is_within
     assert (row.percent is None) is is_within
+
+
+def test_lengths_that_are_guesses_are_not_compared(left_mesh, right_foot) -> None:
+    toeless = left_mesh.part(left_mesh.vertices[:, 1] < 55)
+    guessed = place_foot(toeless, Side.LEFT, frame="reference")
+    assert unlike_sizes(replace(guessed, length_mm=guessed.length_mm + 40), right_foot) == ""
 
 
 def test_feet_of_two_patients_are_noticed(left_foot, right_foot) -> None:
