@@ -87,10 +87,10 @@ DEFINITIONS = {
     "heel_width": Definition("mm", "greatest width of the heel at 10 to 22 % of the length", 1.0),
     "ball_girth": Definition("mm", "tape round the foot through the two points of the ball"),
     "instep_height": Definition("mm", "highest dorsal point at half of the foot length"),
-    "arch_height": Definition("mm", "arch apex over the plane of heel, 1st and 5th head", 0.5),
+    "arch_height": Definition("mm", "arch apex over the plane of heel, 1st and 5th head", 0.6),
     "arch_height_index": Definition("", "instep height / length from heel to 1st head", decimals=2),
     "arch_index": Definition(
-        "", "middle third of the toeless footprint / all of it", 0.01, decimals=2
+        "", "middle third of the toeless footprint / all of it", 0.018, decimals=2
     ),
     "navicular_height": Definition("mm", "navicular, where it is marked, over the ground"),
     "rearfoot_angle_deg": Definition(

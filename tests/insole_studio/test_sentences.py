@@ -61,7 +61,8 @@ CATALOGUE = {
 }
 PAPERS = (
     "compare/comparison_report.py", "evaluation/calibration_sections.py",
-    "evaluation/chain_section.py", "evaluation/evaluation_sections.py", "evaluation/report.py",
+    "evaluation/chain_section.py", "evaluation/evaluation_sections.py",
+    "evaluation/repeat_section.py", "evaluation/report.py",
     "evaluation/report_files.py", "evaluation/wall.py", "export/paper.py", "formats/amf.py",
     "formats/obj.py", "formats/off.py", "formats/ply.py", "formats/slicer_3mf.py",
     "formats/stl.py", "formats/three_mf.py", "insole/prescription/prescription_lines.py",

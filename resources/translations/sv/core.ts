@@ -7640,10 +7640,6 @@
             <translation>fotens baksida skannades inte</translation>
         </message>
         <message>
-            <source>the back of the heel or the leg was not scanned</source>
-            <translation>hälens baksida eller benet skannades inte</translation>
-        </message>
-        <message>
             <source>the back of the heel or the leg was not scanned, or in pieces only</source>
             <translation>hälens baksida eller benet skannades inte, eller bara i bitar</translation>
         </message>
@@ -7760,20 +7756,12 @@
             <translation>den största förskjutning som återstår</translation>
         </message>
         <message>
-            <source>the leg was not scanned</source>
-            <translation>benet skannades inte</translation>
-        </message>
-        <message>
             <source>the leg was not scanned, or in pieces only</source>
             <translation>benet skannades inte, eller bara i bitar</translation>
         </message>
         <message>
             <source>the leg was not scanned, or in pieces only, or the scan does not stand upright</source>
             <translation>benet skannades inte, eller bara i bitar, eller så står skanningen inte upprätt</translation>
-        </message>
-        <message>
-            <source>the leg was not scanned, or the scan does not stand upright</source>
-            <translation>benet skannades inte, eller skanningen står inte upprätt</translation>
         </message>
         <message>
             <source>the length of the insole</source>

@@ -596,7 +596,7 @@ def test_the_table_shows_both_feet(app: Application) -> None:
         app.case.apply(FootRecord.begun(round_foot(side), source), "Add")
     act(app, "copy_measures")
     head, first, *_ = QApplication.clipboard().text().splitlines()
-    assert head == "measure,unit,left,right,difference,percent,positive"
+    assert head.startswith("measure,unit,left,right,difference,percent,positive,left_limits_95,")
     left, right = (float(number) for number in first.split(",")[2:4])
     assert left == pytest.approx(right, abs=0.05)
 

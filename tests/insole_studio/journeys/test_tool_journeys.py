@@ -572,7 +572,7 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     opened.case.open_foot(round_foot(Side.LEFT), opened.case.record.source)
     act(opened, "copy_measures")
     copied = QApplication.clipboard().text()
-    assert copied.splitlines()[0] == "measure,unit,left,right,difference,percent,positive"
+    assert copied.startswith("measure,unit,left,right,difference,percent,positive,left_limits_95,")
     length = next(line for line in copied.splitlines() if line.startswith("foot_length,mm,"))
     assert float(length.split(",")[2]) == pytest.approx(250.0, abs=1.0)
     opened.services.messages.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
