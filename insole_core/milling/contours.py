@@ -17,7 +17,7 @@ from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.polygon import signed_area_mm2
 from insole_core.milling.machine import Cutter, Machine
-from insole_core.milling.stock import Stock, runs_of_closed
+from insole_core.milling.stock import MOST_BEYOND, Stock, runs_of_closed
 from insole_core.milling.surface import Surface
 from insole_core.milling.tabs import Tabs
 from insole_core.milling.tool_path import (
@@ -31,11 +31,16 @@ from insole_core.milling.tool_path import (
 _ARC_PIECES = 64
 """Of a circle; its chords leave an arc of 3 mm by less than twice `_CHORD_MM`."""
 _CHORD_MM = 0.002
+_DIGITS = 3
+_DIGIT_MM = 10.0**-_DIGITS
+"""Of a program."""
 _SLACK_MM = 0.01
 """By which the cutter may be thicker than the gap between two solids; more is a gouge."""
 _ABOVE_MM = 1e-4
 _SECTION_MM = 0.25
 """Between the sections whose union a wall must stay outside of."""
+_AT_WALL_MM = 0.5
+"""Beside a wall; nodes so near to it are not told from those of the wall."""
 _SEARCH_MM = 1.0
 """Pitch of the map that tells where there is still a wall."""
 _STRAIGHT_MM = 0.2
@@ -88,13 +93,14 @@ def contour(
     how = machine.contour
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
     walls = _wall_tops(surface, how.cutter.radius_mm)
+    stock.go_along_walls(_beyond(surface, tabs, how.cutter, side))
     for loop in loops:
         path = tabs.over_way(densified(loop.line_mm), loop.level_mm, surface)
         needed = _needed(path, loop.level_mm, surface, walls, machine)
         for run in runs_of_closed(path[:-1], needed[:-1]):
-            stock.write(run, writer, how.cutter, how.step_down_mm, beside=0.0)
+            stock.write(run, writer, how.cutter, how.step_down_mm)
     for way in along_edges:
-        stock.write(way, writer, how.cutter, how.step_down_mm, beside=0.0)
+        stock.write(way, writer, how.cutter, how.step_down_mm)
     return None if writer.is_empty else writer.operation("contour", side, how.cutter)
 
 
@@ -125,7 +131,7 @@ def contour_loops(
     )
     top = float(solid.bounds_mm[1, 2])
     count = max(int(np.ceil((top - bottom_mm) / how.step_down_mm)), 1)
-    seen = manifold3d.CrossSection()
+    seen, reached = manifold3d.CrossSection(), manifold3d.CrossSection()
     loops: list[Loop] = []
     sections = max(int(np.ceil(how.step_down_mm / _SECTION_MM)), 1)
     heights = bottom_mm + (top - bottom_mm) * np.arange(count * sections - 1, -1, -1) / (
@@ -137,7 +143,8 @@ def contour_loops(
         seen = manifold3d.CrossSection.batch_boolean([seen, *cuts], manifold3d.OpType.Add)
         seen = seen.simplify(_CHORD_MM)
         grown = seen.offset(how.cutter.radius_mm + 2 * _CHORD_MM, circular_segments=_ARC_PIECES)
-        lines = _outer_loops(grown.simplify(_CHORD_MM))
+        reached = _outwards(reached + manifold3d.CrossSection(_filled(grown.simplify(_CHORD_MM))))
+        lines = [np.concatenate([one, one[:1]]) for one in _filled(reached)]
         loops.extend(Loop(float(level[-1]), line) for line in lines)
     _require_room(np.concatenate([loop.line_mm for loop in loops]), block_mm, machine)
     return loops
@@ -178,10 +185,29 @@ def outermost(loops: Sequence[Loop]) -> FloatArray:
     return max((loop.line_mm for loop in loops), key=signed_area_mm2)
 
 
-def _outer_loops(section: manifold3d.CrossSection) -> list[FloatArray]:
-    """Return the closed outlines (n, 2) of all parts of a section, without holes."""
+def _filled(section: manifold3d.CrossSection) -> list[FloatArray]:
+    """Return the outlines (n, 2) of all parts of a section, without holes."""
     polygons = [np.asarray(polygon) for polygon in section.to_polygons()]
-    return [np.concatenate([one, one[:1]]) for one in polygons if signed_area_mm2(one) > 0]
+    return [polygon for polygon in polygons if signed_area_mm2(polygon) > 0]
+
+
+def _outwards(section: manifold3d.CrossSection) -> manifold3d.CrossSection:
+    """Return a section with its corners moved outwards to the digits of a program.
+
+    Corners that have them already stay. So a way that leads farther round than the one above it
+    does so in the program too, and meets no skin of a thousandth that it left.
+    """
+    moved = []
+    for polygon in section.to_polygons():
+        corners = np.asarray(polygon)
+        along = np.roll(corners, -1, axis=0) - np.roll(corners, 1, axis=0)
+        normal = np.column_stack([along[:, 1], -along[:, 0]])
+        normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), _DIGIT_MM)
+        rounded = np.round(corners, _DIGITS)
+        is_new = np.abs(rounded - corners).max(axis=1) > _DIGIT_MM / 100
+        rounded[is_new] = np.round(corners + normal * _DIGIT_MM, _DIGITS)[is_new]
+        moved.append(rounded)
+    return manifold3d.CrossSection(moved)
 
 
 def _require_room(way: FloatArray, block_mm: tuple[float, float, float], machine: Machine) -> None:
@@ -208,6 +234,21 @@ def _wall_tops(surface: Surface, radius_mm: float) -> Float32Array:
     reach = 2 * int(np.ceil(radius_mm / _SEARCH_MM) + 2) + 1
     kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach))
     return np.asarray(cv2.dilate(coarse, kernel), np.float32)
+
+
+def _beyond(surface: Surface, tabs: Tabs, cutter: Cutter, side: SideName) -> Float32Array:
+    """Return by how many steps of a grid (nx, ny) the cutter is taken to reach farther.
+
+    Never to what a piece keeps; a little to the side that is turned away from it, where each level
+    leads farther out. Off the tabs of an underside the way round the foot side has been there.
+    """
+    outer = surface.beside_mm > cutter.radius_mm
+    if side == "underside":
+        near = surface.beside_mm < cutter.diameter_mm - _AT_WALL_MM
+        outer &= near | np.isfinite(tabs.axis_heights(surface))
+    return np.select(
+        [surface.inside, outer], [np.float32(-np.inf), np.float32(MOST_BEYOND)], np.float32(0)
+    )
 
 
 def _needed(

@@ -48,7 +48,7 @@ _HOLLOW = {
 
 @dataclass(frozen=True, eq=False)
 class LeftOver:
-    """Material that the program leaves, on pixels of about 0.5 mm.
+    """Material that the program leaves, on pixels of about 0.25 mm.
 
     Parameters
     ----------
@@ -225,8 +225,8 @@ def _thin_tabs(tabs: Tabs) -> Message | None:
         return None
     return Message(
         "{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the "
-        "thinnest {least:.1f} mm: the edge is thin or steep there. Hold the piece down when it "
-        "comes free, or ask for more tabs.",
+        "thinnest {least:.1f} mm: the edge is thin or steep there, or no block stays beside "
+        "it. Hold the piece down when it comes free, or take a larger block.",
         thin=int(thin.sum()),
         count=len(thin),
         asked=asked_mm,
@@ -350,9 +350,13 @@ def _hollow(
         low, high = solid.bounds_mm[:, :2]
         if (low <= [x, y]).all() and ([x, y] <= high).all():
             from_heel = high[1] - y if foot.is_turned else y - low[1]
-            return Message(
+            told = Message(
                 _HOLLOW[_region(float(x), low, high, foot)], **words, heel=float(from_heel)
             )
+            if not foot.order:
+                return told
+            piece = Message("{order} {side}", order=foot.order, side=Message(str(foot.side)))
+            return Message("{piece}: {told}", piece=piece, told=told)
     return Message(
         'The cutter "{cutter}" is too thick for a hollow of the {side} at x = {x:.0f} mm, '
         "y = {y:.0f} mm of the block: {left:.1f} mm stay there; take a thinner one.",

@@ -30,7 +30,7 @@ _WATERLINES = ((0.0, 0.1), (1 / 3, 2.0), (2 / 3, 2.0))
 _BEYOND = 8
 """Nodes of the grid by which it does so farther than needed."""
 _SHORTEST_RAMP_MM = 1.0
-"""A run that is shorter is entered from above."""
+"""Length of a run that a ramp needs, to and fro."""
 _SAME_MM = 1e-6
 _MOST_TO_AND_FRO = 12
 _BACK, _FORTH = slice(None, None, -1), slice(None)
@@ -66,6 +66,7 @@ def roughing(
     allowed = surface.beside_mm <= reach_mm
     on_lines = np.zeros_like(allowed)
     on_lines[lines] = allowed[lines]
+    rampable = _rampable(np.where(allowed, tips, np.inf), surface.step_mm)
     # Farther out the cutter would meet what the lines have left of the block.
     near_solids = surface.beside_mm <= reach_mm - how.step_over_mm
     writer = PathWriter(block_height_mm + machine.safe_height_mm)
@@ -75,19 +76,33 @@ def roughing(
         step.step(0.0, "Roughing, level {level} of {levels}", level=number, levels=count)
         above = block_height_mm - (number - 1) * how.step_down_mm
         level_mm = above - how.step_down_mm
-        level = np.maximum(tips, level_mm)
-        active = on_lines & (tips < above - _LEAST_CUT_MM)
+        level = np.maximum(rampable, level_mm)
+        active = on_lines & (rampable < above - _LEAST_CUT_MM)
         raster = Raster(surface, cutter, lines, level[lines])
         _Level(raster, active[lines], above, how).write(writer)
         stock.sweep(level, active, cutter)
         for share, terrace_mm in _WATERLINES:
             height_mm = level_mm + share * how.step_down_mm
+            left = (stock.free_tips(cutter) > height_mm + terrace_mm) & near_solids
             for loop in _waterlines(allowed & (tips <= height_mm), surface, height_mm):
-                near = near_solids[surface.index_of(loop[:, :2])]
-                left = stock.over(loop, cutter) > height_mm + terrace_mm
-                for way in _ways(loop, left, near):
-                    stock.write(way, writer, cutter, how.step_down_mm)
+                node = surface.index_of(loop[:, :2])
+                for way in _ways(loop, left[node], near_solids[node]):
+                    wide = stock.is_wide(way, cutter, how.slot_mm, how.width_mm)
+                    stock.write(way, writer, cutter, how.slot_mm if wide else how.step_down_mm)
     return None if writer.is_empty else writer.operation("roughing", side, cutter)
+
+
+def _rampable(tips_mm: FloatArray, step_mm: float) -> FloatArray:
+    """Raise tips (nx, ny) where they lie lower along y for a way that is too short for a ramp.
+
+    What stays there is in the stock, and is cut with what lies beside it.
+    """
+    least = int(np.ceil(_SHORTEST_RAMP_MM / step_mm)) + 1
+    return np.asarray(
+        cv2.morphologyEx(
+            tips_mm, cv2.MORPH_CLOSE, np.ones((1, least), np.uint8), borderType=cv2.BORDER_REPLICATE
+        )
+    )
 
 
 def _waterlines(within: BoolArray, surface: Surface, height_mm: float) -> list[FloatArray]:
@@ -102,7 +117,7 @@ def _waterlines(within: BoolArray, surface: Surface, height_mm: float) -> list[F
 
 def _ways(loop: FloatArray, left: BoolArray, near: BoolArray) -> list[FloatArray]:
     """Return the smoothed pieces of a closed line (n, 3) where something is left."""
-    if not (left & near).any():
+    if not left.any():
         return []
     kept = near & widened(np.pad(left, _BEYOND, mode="wrap"), _BEYOND)[_BEYOND:-_BEYOND]
     return runs_of_closed(loop, kept)
@@ -202,8 +217,6 @@ class _Level:
         Where it stays above the level, it goes back and forth there until it has sunk.
         """
         level = self._raster.tips_mm[line, nodes]
-        if len(nodes) <= self._shortest:
-            return self._way(line, nodes, level)
         sunk = self._sunk(line, nodes, from_mm)
         self._reached_mm[line + 1, nodes] = level
         pieces, begin = [], 0
@@ -220,7 +233,10 @@ class _Level:
     def _sunk(self, line: int, nodes: IntArray, from_mm: float) -> FloatArray:
         """Return the heights (n,) of a first way along nodes."""
         level, reached = self._raster.tips_mm[line, nodes], self._reached_mm[line + 1, nodes]
-        around = self._reached_mm[line : line + 3, nodes].min(axis=0)
+        beside = scipy.ndimage.maximum_filter1d(
+            self._reached_mm[[line, line + 2]], 2 * self._inset + 1, axis=1
+        )
+        around = np.minimum(reached, beside[:, nodes].min(axis=0))
         sunk = self._sinking(np.maximum(level, around - self._slot_depth_mm), from_mm)
         self._reached_mm[line + 1, nodes] = np.minimum(reached, sunk)
         return sunk

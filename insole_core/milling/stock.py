@@ -20,12 +20,19 @@ from insole_core.milling.tool_path import (
     without_collinear,
 )
 
-_PITCH_MM = 0.5
+_PITCH_MM = 0.25
 _HIGH_MM = np.float32(1e6)
 _SAME = 0.05
 """Share of a step that is none."""
 _LONGER = 12
 """Points to either side of one where too much would be cut: a thin one has no node on each."""
+_ALONG_MM = 0.25
+"""Between places of a cutter that take away together what it takes along its way."""
+MOST_BEYOND = 0.5
+"""Steps of the grid by which a cutter may meet more than the nodes below it."""
+_AIR_MM = 22.0
+"""Round the grid, more than the radius of a cutter."""
+_SLACK_MM = 1e-3
 _MOST_SAMPLES = 1_000_000
 """Nodes under a cutter, at all its places, that are looked at together."""
 _LEAST_RAMP_MM = 0.5
@@ -53,7 +60,14 @@ class Stock:
         self._first_mm = surface.first_mm
         self._shape = surface.inside.shape
         coarse = surface.inside[:: self.every, :: self.every]
-        self._heights: Float32Array = np.full(coarse.shape, height_mm, np.float32)
+        self._air = air = int(_AIR_MM / self._step_mm)
+        self._all = np.pad(
+            np.full(coarse.shape, height_mm, np.float32), air, constant_values=-_HIGH_MM
+        )
+        inner = slice(air, -air)
+        self._heights: Float32Array = self._all[inner, inner]
+        self._first = air * (self._all.shape[1] + 1)
+        self._beyond: Float32Array | None = None
 
     def sweep(self, tips_mm: FloatArray, active: BoolArray, cutter: Cutter) -> None:
         """Take away what a cutter meets that goes to all active nodes of the surface.
@@ -97,12 +111,27 @@ class Stock:
             left[part] = (self._swept[a, b] + above).min(axis=1)
         return left
 
+    def is_wide(self, way_mm: FloatArray, cutter: Cutter, depth_mm: float, width_mm: float) -> bool:
+        """Tell whether a cutter cuts deeper than that on a way (n, 3), and somewhere wider."""
+        i, j, above = _under(cutter, self._step_mm)
+        along = np.gradient(way_mm[:, :2], axis=0)
+        along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
+        for part in _parts(len(way_mm), len(i)):
+            nodes, low = self._met(way_mm[part], (i, j, above))
+            deep = self._all.reshape(-1)[nodes] - low > depth_mm
+            across = along[part, :1] * j - along[part, 1:] * i
+            most = across.max(axis=1, where=deep, initial=-np.inf)
+            least = across.min(axis=1, where=deep, initial=np.inf)
+            if ((most - least + 1) * self._step_mm > width_mm).any():
+                return True
+        return False
+
     def cut(self, path_mm: FloatArray, cutter: Cutter) -> None:
         """Take away what a cutter meets on a path (n, 3) of its tip."""
-        path, under = densified(path_mm, self._step_mm / 2), _under(cutter, self._step_mm)
+        path, under = densified(path_mm, _ALONG_MM), _under(cutter, self._step_mm)
         for part in _parts(len(path), len(under[0])):
             nodes, low = self._met(path[part], under)
-            np.minimum.at(self._heights.ravel(), nodes.ravel(), low.ravel().astype(np.float32))
+            np.minimum.at(self._all.reshape(-1), nodes.ravel(), low.ravel().astype(np.float32))
 
     def over(self, places_mm: FloatArray, cutter: Cutter, beside: float = 0.0) -> FloatArray:
         """Return the lowest tip (n,) of a cutter at places (n, 2 or 3) that meets nothing.
@@ -113,23 +142,52 @@ class Stock:
             Steps of the grid by which the cutter is taken wider: with 1 it also meets what lies
             between two nodes.
         """
-        wide = replace(cutter, diameter_mm=cutter.diameter_mm + 2 * beside * self._step_mm)
-        under = _under(wide, self._step_mm)
+        under = _under(_wider(cutter, beside * self._step_mm), self._step_mm)
         flat, tips = np.pad(places_mm[:, :2], ((0, 0), (0, 1))), np.empty(len(places_mm))
         for part in _parts(len(flat), len(under[0])):
             nodes, above = self._met(flat[part], under)
-            tips[part] = (self._heights.ravel()[nodes] - above).max(axis=1)
+            tips[part] = (self._all.reshape(-1)[nodes] - above).max(axis=1)
         return tips
+
+    def go_along_walls(self, beyond: Float32Array) -> None:
+        """Take what is written from now on as beside the walls of a piece.
+
+        Parameters
+        ----------
+        beyond : (nx, ny) float32
+            Steps of the stock's grid by which the cutter meets more than the nodes below it, at the
+            nodes of the surface's grid: at most `MOST_BEYOND`, and -inf at those of the piece.
+        """
+        self._beyond = np.full(self._all.shape, -np.inf, np.float32)
+        inner = slice(self._air, -self._air)
+        self._beyond[inner, inner] = beyond[:: self.every, :: self.every]
+
+    def depths(self, way_mm: FloatArray, cutter: Cutter) -> FloatArray:
+        """Return how deep (n,) a cutter cuts at points (n, 3) of its tip."""
+        if self._beyond is None:
+            return self.over(way_mm, cutter) - way_mm[:, 2]
+        i, j, above = _under(_wider(cutter, MOST_BEYOND * self._step_mm), self._step_mm)
+        across = np.hypot(i, j) - cutter.radius_mm / self._step_mm
+        heights, beyond = self._all.reshape(-1), self._beyond.reshape(-1)
+        depths = np.empty(len(way_mm))
+        for part in _parts(len(way_mm), len(i)):
+            nodes, low = self._met(way_mm[part], (i, j, above))
+            met = across <= beyond[nodes]
+            depths[part] = (heights[nodes] - low).max(axis=1, where=met, initial=0.0)
+        return depths
 
     def free_tips(self, cutter: Cutter) -> FloatArray:
         """Return the lowest tips (nx, ny) that meet nothing, at the nodes of the surface's grid."""
-        i, j, above = _under(cutter, self._step_mm)
-        reach = int(cutter.radius_mm / self._step_mm)
-        ring = np.pad(self._heights, reach, mode="edge")
-        nx, ny = self._heights.shape
-        tips = np.full((nx, ny), -np.inf, np.float32)
-        for a, b, height in zip(i + reach, j + reach, above, strict=True):
-            np.maximum(tips, ring[a : a + nx, b : b + ny] - np.float32(height), out=tips)
+        if cutter.shape == "flat":
+            tips = cv2.dilate(self._heights, disc(cutter.radius_mm, self._step_mm))
+        else:
+            i, j, above = _under(cutter, self._step_mm)
+            reach = int(cutter.radius_mm / self._step_mm)
+            ring = np.pad(self._heights, reach, mode="edge")
+            nx, ny = self._heights.shape
+            tips = np.full((nx, ny), -np.inf, np.float32)
+            for a, b, height in zip(i + reach, j + reach, above, strict=True):
+                np.maximum(tips, ring[a : a + nx, b : b + ny] - np.float32(height), out=tips)
         whole = tips.repeat(self.every, axis=0).repeat(self.every, axis=1)
         return np.asarray(whole[: self._shape[0], : self._shape[1]], float)
 
@@ -139,36 +197,46 @@ class Stock:
         writer: PathWriter,
         cutter: Cutter,
         step_down_mm: float,
-        beside: float = 1.0,
     ) -> None:
-        """Write a way (n, 3) of the tip after what leads to it, and take away what it meets.
-
-        Parameters
-        ----------
-        beside
-            Of `over`, for the rapid move to its beginning: 0 beside a wall that is finished.
-        """
-        top_mm = self.over(way_mm, cutter)
-        for way in _layers(way_mm, top_mm, step_down_mm):
-            begin = way[:1]
-            whole = entered(way, float(self.over(way, cutter).max()))
-            clear_mm = float(self.over(begin, cutter, beside)[0]) + 2 * CLEARANCE_MM
+        """Write a way (n, 3) of the tip after what leads to it, and take away what it meets."""
+        depth_mm = self.depths(way_mm, cutter)
+        ways = _layers(way_mm, depth_mm, step_down_mm)
+        for way in ways:
+            own_mm = depth_mm if len(ways) == 1 else self.depths(way, cutter)
+            whole = entered(way, way[:, 2] + own_mm)
+            clear_mm = self._clear_mm(way[0], cutter) + 2 * CLEARANCE_MM
             writer.start(without_collinear(whole), clear_mm)
             self.cut(way, cutter)
+
+    def _clear_mm(self, place_mm: FloatArray, cutter: Cutter) -> float:
+        """Return the lowest tip of a cutter at a place (3,) that meets nothing, nor does beside it.
+
+        A finished wall, which the cutter goes along, is met nowhere but below it.
+        """
+        if self._beyond is None:
+            return float(self.over(place_mm[None], cutter, 1.0)[0])
+        place = (place_mm[:2] - self._first_mm) / self._step_mm
+        radius = (cutter.radius_mm + _SLACK_MM) / self._step_mm
+        low = np.floor(place - radius - 1).astype(int)
+        around = tuple(slice(n + self._air, n + self._air + int(2 * radius) + 4) for n in low)
+        heights, more = self._all[around], np.ceil(self._beyond[around])
+        x, y = np.ogrid[: heights.shape[0], : heights.shape[1]]
+        across = np.hypot(low[0] + x - place[0], low[1] + y - place[1])
+        return float(heights[across <= radius + more].max(initial=0.0))
 
     def _met(
         self, path_mm: FloatArray, under: tuple[IntArray, IntArray, FloatArray]
     ) -> tuple[IntArray, FloatArray]:
-        """Return the nodes (n, k) under a cutter along a path, and its heights over them.
-
-        Nodes beyond the grid are those at its edge.
-        """
+        """Return the nodes (n, k) under a cutter along a path, and its heights over them."""
         i, j, above = under
         middle = np.rint((path_mm[:, :2] - self._first_mm) / self._step_mm).astype(int)
-        nx, ny = self._heights.shape
-        a = np.clip(middle[:, :1] + i, 0, nx - 1)
-        b = np.clip(middle[:, 1:] + j, 0, ny - 1)
-        return a * ny + b, path_mm[:, 2:] + above
+        x, y = np.clip(middle, 0, np.array(self._heights.shape) - 1).T
+        row = self._all.shape[1]
+        return (self._first + x * row + y)[:, None] + (i * row + j), path_mm[:, 2:] + above
+
+
+def _wider(cutter: Cutter, by_mm: float) -> Cutter:
+    return replace(cutter, diameter_mm=cutter.diameter_mm + 2 * by_mm)
 
 
 def _parts(places: int, under: int) -> Iterator[slice]:
@@ -188,22 +256,21 @@ def _under(cutter: Cutter, step_mm: float) -> tuple[IntArray, IntArray, FloatArr
     return i, j, cutter.radius_mm - np.sqrt(np.maximum(cutter.radius_mm**2 - across2, 0))
 
 
-def _layers(way_mm: FloatArray, top_mm: FloatArray, step_down_mm: float) -> list[FloatArray]:
+def _layers(way_mm: FloatArray, depth_mm: FloatArray, step_down_mm: float) -> list[FloatArray]:
     """Return ways (n, 3) that lead to a way of the tip with no cut deeper than a step.
 
     Those before the last one lie above it, where there is more than a step to take away.
 
     Parameters
     ----------
-    top_mm : (n,) float64
-        Lowest tip that meets nothing.
+    depth_mm : (n,) float64
+        That is cut.
     """
-    depth = top_mm - way_mm[:, 2]
-    count = int(np.ceil(depth.max() / step_down_mm - _SAME))
+    count = int(np.ceil(depth_mm.max() / step_down_mm - _SAME))
     ways: list[FloatArray] = []
     for above in range(count - 1, 0, -1):
         raised = way_mm + np.array([0.0, 0.0, above * step_down_mm])
-        ways += pieces_of(raised, widened(depth > (above + _SAME) * step_down_mm, _LONGER))
+        ways += pieces_of(raised, widened(depth_mm > (above + _SAME) * step_down_mm, _LONGER))
     return [*ways, way_mm]
 
 
@@ -230,15 +297,21 @@ def runs_of_closed(ring_mm: FloatArray, kept: BoolArray) -> list[FloatArray]:
     return pieces_of(np.roll(ring_mm, -gap, axis=0), np.roll(kept, -gap))
 
 
-def entered(way_mm: FloatArray, from_mm: float) -> FloatArray:
-    """Return a way (n, 3) that goes down from a height on ramps, to and fro at its beginning.
+def entered(way_mm: FloatArray, top_mm: FloatArray) -> FloatArray:
+    """Return a way (n, 3) that goes down on ramps to what it meets, to and fro at its beginning.
 
     On ways that are too short for that it plunges.
+
+    Parameters
+    ----------
+    top_mm : (n,) float64
+        Lowest tip that meets nothing.
     """
+    along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(way_mm[:, :2], axis=0), axis=1)))
+    from_mm = float(top_mm[along <= (top_mm[0] - way_mm[0, 2]) / RAMP].max(initial=top_mm[0]))
     depth_mm = from_mm - float(way_mm[0, 2])
     if depth_mm < _LEAST_RAMP_MM:
         return way_mm
-    along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(way_mm[:, :2], axis=0), axis=1)))
     needed_mm = depth_mm / RAMP
     end = min(int(np.searchsorted(along, needed_mm)), len(way_mm) - 1)
     legs = int(np.ceil(needed_mm / along[end] - _SAME)) if along[end] > 0 else _MOST_LEGS + 1

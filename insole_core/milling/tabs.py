@@ -23,6 +23,8 @@ _PER_MM = 0.005
 """Thickness for which a tab is moved by a millimetre."""
 _FLANK = 0.15
 """By which a tab grows along the wall on either side, per way down."""
+_FRAME_MM = 1.0
+"""Of the block that holds a tab."""
 OFF_EDGE_MM = 0.3
 """By which a tab begins off the edge of the underside, so that the ball leaves the edge clean."""
 
@@ -132,6 +134,22 @@ def _tab_tops(surface: Surface, begin_mm: Float32Array, machine: Machine) -> Flo
     return np.asarray(high, np.float32)
 
 
+def _held(line_mm: FloatArray, surface: Surface, machine: Machine) -> BoolArray:
+    """Find the points (n,) of a way round a solid beyond which some of the block stays.
+
+    A tab between a piece and the side of the block, or another piece, would hold nothing.
+    """
+    cutter = machine.contour.cutter
+    along = np.roll(line_mm, -1, axis=0) - np.roll(line_mm, 1, axis=0)
+    outwards = np.column_stack([along[:, 1], -along[:, 0]])
+    outwards /= np.maximum(np.linalg.norm(outwards, axis=1, keepdims=True), 1e-9)
+    beyond = line_mm + (cutter.radius_mm + _FRAME_MM) * outwards
+    node = (beyond - surface.first_mm) / surface.step_mm
+    within = ((node >= 0) & (node <= np.array(surface.inside.shape) - 1)).all(axis=1)
+    free_mm = surface.beside_mm[surface.index_of(beyond)]
+    return np.asarray(within & (free_mm > cutter.diameter_mm))
+
+
 def _places(
     outline_mm: FloatArray,
     surface: Surface,
@@ -153,6 +171,7 @@ def _places(
     top = scipy.ndimage.minimum_filter1d(high_mm[node], width, mode="wrap")
     bottom = scipy.ndimage.maximum_filter1d(begin_mm[node], width, mode="wrap")
     thickness = np.clip(top - bottom, 0, how.tab_height_mm).astype(float)
+    thickness *= scipy.ndimage.minimum_filter1d(_held(line, surface, machine), width, mode="wrap")
     chosen = []
     for middle in apart_mm * (np.arange(count) + 0.5):
         off = np.abs(along - middle)
