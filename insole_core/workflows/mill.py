@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from insole_core.errors import InputError, UsageError
+from insole_core.errors import InputError, OutputError, UsageError
 from insole_core.files.atomic import write_text
 from insole_core.formats.file_formats import PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
@@ -142,6 +143,31 @@ def _in_the_middle(
     return [TriangleMesh(solid.vertices + shift, solid.triangles) for solid in solids]
 
 
+def _require_no_other_program(paths: Sequence[Path]) -> None:
+    """Check that beside the files of a program none of an earlier one has a number of theirs.
+
+    Raises
+    ------
+    OutputError
+        Naming those files.
+    """
+    stem = paths[0].stem.removesuffix("-1") if len(paths) > 1 else paths[0].stem
+    like = re.compile(re.escape(stem) + r"(-\d+)?" + re.escape(paths[0].suffix))
+    names = {path.name for path in paths}
+    others = sorted(
+        path.name
+        for path in paths[0].parent.iterdir()
+        if like.fullmatch(path.name) and path.name not in names
+    )
+    if others:
+        raise OutputError(
+            "{files} of an earlier program would lie beside {path}, and a shop could run both; "
+            "remove the earlier one, or give the program another name.",
+            files=", ".join(others),
+            path=paths[0].name,
+        )
+
+
 def write_milling(
     plan: MillingPlan,
     block: Block,
@@ -169,12 +195,13 @@ def write_milling(
     Raises
     ------
     OutputError
-        When a place cannot be written.
+        When a place cannot be written, or files of an earlier program lie beside it.
     """
     from insole_core.workflows.setup_sheet import RouterFile, write_setup_sheet
 
     if not beside.programs:
         return
+    _require_no_other_program(places.programs)
     job, machine = identification["pseudonym"], plan.machine
     in_order = stations(machine, both_sides=plan.is_turned)
     texts = programs(plan, in_order, job, progress.part(0.0, 0.7))
@@ -191,6 +218,6 @@ def write_milling(
     if beside.setup_sheet is not None:
         progress.step(0.8, "Writing the set-up sheet")
         write_setup_sheet(
-            plan, [file for file in made if file.operations], beside.setup_sheet,
+            plan, made, beside.setup_sheet,
             block=block, identification=identification, pin_holes=pins, translate=translate,
         )  # fmt: skip

@@ -110,6 +110,13 @@ class NestedPiece:
     piece: OrderedPiece
     packed: Packed
     piece2block: FloatArray
+    own_outlines: tuple[FloatArray, ...]
+    """From above, in the frame of the piece, mm."""
+
+    @property
+    def outlines(self) -> list[FloatArray]:
+        """The outlines (n, 2) in the block, mm; holes turn clockwise."""
+        return [self.packed.applied(outline) for outline in self.own_outlines]
 
     @property
     def solid(self) -> TriangleMesh:
@@ -176,6 +183,18 @@ def pieces_of_order(path: Path) -> Iterator[OrderedPiece]:
         yield from _pieces_of_item(path, item, order.release.number)
 
 
+def has_pieces(files: Sequence[Path]) -> bool:
+    """Tell whether `pieces_of_files` finds a piece among the files of an order."""
+    return any(
+        path.name == ORDER_FILE or _is_order(path) or role_of(path.name) == "solid"
+        for path in files
+    )
+
+
+def _is_order(path: Path) -> bool:
+    return path.suffix.lower() == ".zip" or is_folder(path)
+
+
 def pieces_of_files(files: Sequence[Path], number: str) -> Iterator[OrderedPiece]:
     """Yield the pieces of an order that was written as single files, or of an archive among them.
 
@@ -189,7 +208,7 @@ def pieces_of_files(files: Sequence[Path], number: str) -> Iterator[OrderedPiece
     found = False
     folder = next((path.parent for path in files if path.name == ORDER_FILE), None)
     for path in (folder,) if folder is not None else files:
-        if path.suffix.lower() == ".zip" or is_folder(path):
+        if _is_order(path):
             found = True
             yield from pieces_of_order(path)
         elif role_of(path.name) == "solid":
@@ -261,6 +280,7 @@ def nest_pieces(
     margin_mm: float = MARGIN_MM,
     across: bool = True,
     marked: bool = False,
+    missing: Sequence[str] = (),
     progress: Progress = SILENT,
 ) -> DayNest:
     """Place the pieces of several orders on one block.
@@ -273,6 +293,8 @@ def nest_pieces(
         Whether pieces may lie across the block too; a router's notes need them along it.
     marked
         Whether order and side are engraved into the underside of each.
+    missing
+        Numbers of orders that were asked for too, and have no pieces yet.
 
     Raises
     ------
@@ -285,13 +307,13 @@ def nest_pieces(
     _check_sizes(block, gap_mm, margin_mm)
     _check_number(pieces)
     _check_heights(pieces, block)
-    notes = [*_quantity_notes(pieces), *_material_notes(pieces)]
+    notes = [*_missing_notes(missing), *_quantity_notes(pieces), *_material_notes(pieces)]
     if marked:
         pieces, failed = _marked(pieces, progress.part(0.0, 0.3))
         notes += failed
-    lying = [(piece, _outline(piece)) for piece in pieces]
+    lying = [(piece, _outlines(piece)) for piece in pieces]
     every = [each for each in lying for _ in range(each[0].quantity or 1)]
-    outlines = [outline for _, outline in every]
+    outlines = [max(own, key=_extent) for _, own in every]
     length, width, _ = block.sides_mm
     ways = (_ALONG, _ACROSS, _ALONG + _ACROSS) if across else (_ALONG,)
     steps = progress.part(0.3, 1.0).parts(len(ways))
@@ -305,8 +327,8 @@ def nest_pieces(
     best = max(tries, key=lambda found: _worth(found, outlines))
     _require_all(best, block)
     nested = tuple(
-        NestedPiece(piece, packed, _piece2block(packed))
-        for (piece, _), packed in zip(every, best, strict=True)
+        NestedPiece(piece, packed, _piece2block(packed), own)
+        for (piece, own), packed in zip(every, best, strict=True)
         if packed is not None
     )
     return DayNest(block, nested, tuple(notes))
@@ -354,6 +376,15 @@ def _check_heights(pieces: Sequence[OrderedPiece], block: Block) -> None:
         )
 
 
+def _missing_notes(numbers: Sequence[str]) -> Iterator[Message]:
+    for number in numbers:
+        yield Message(
+            "Order {number} has no solids and does not lie here; export it, and nest it with the "
+            "next ones.",
+            number=number,
+        )
+
+
 def _quantity_notes(pieces: Sequence[OrderedPiece]) -> Iterator[Message]:
     for piece in pieces:
         if piece.quantity is None:
@@ -373,8 +404,8 @@ def _material_notes(pieces: Sequence[OrderedPiece]) -> Iterator[Message]:
         )
 
 
-def _outline(piece: OrderedPiece) -> FloatArray:
-    """Return the outer outline (n, 2) of a piece from above, mm."""
+def _outlines(piece: OrderedPiece) -> tuple[FloatArray, ...]:
+    """Return the outlines (n, 2) of a piece from above, mm."""
     try:
         outlines = silhouette(piece.solid)
     except DesignError:
@@ -385,7 +416,7 @@ def _outline(piece: OrderedPiece) -> FloatArray:
             "the order again in one piece.",
             piece=piece.name,
         )
-    return max(outlines, key=_extent)
+    return outlines
 
 
 def _extent(outline: FloatArray) -> float:
@@ -545,7 +576,7 @@ def _write_outlines(nest: DayNest, path: Path) -> None:
     outlines: list[DxfOutline] = []
     marks: list[DxfText] = []
     for each in nest.pieces:
-        lines = [DxfOutline("INSOLE", polygon) for polygon in silhouette(each.solid)]
+        lines = [DxfOutline("INSOLE", polygon) for polygon in each.outlines]
         outlines += lines
         marks.append(mark_text(each.piece.name, lines))
     width, length, _ = nest.block_mm

@@ -134,6 +134,8 @@ def _machine_facts(plan: MillingPlan) -> dict[str, str]:
 
 
 def _program_words(file: RouterFile) -> Message:
+    if not file.operations:
+        return Message("nothing has to be milled with this cutter: do not run it")
     works = dict.fromkeys(
         Message("{side}: {work}", side=Message(each.side), work=Message(_WORK[each.name]))
         for each in file.operations
@@ -310,7 +312,7 @@ def _steps(
         )
     yield Message("Lay the block as in the picture, clamp it, and set the zero.")
     before: Operation | None = None
-    for file in files:
+    for file in filter(lambda file: file.operations, files):
         first = file.operations[0]
         if before is not None and before.side != first.side:
             yield _turning(plan)

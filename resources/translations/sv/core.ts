@@ -2088,6 +2088,10 @@
             <translation>Beställningsnummer</translation>
         </message>
         <message>
+            <source>Order {number} has no solids and does not lie here; export it, and nest it with the next ones.</source>
+            <translation>Beställningen {number} har inga solider och ligger inte här; exportera den och lägg den bland nästa.</translation>
+        </message>
+        <message>
             <source>Order {number} is among them twice; name its last revision alone.</source>
             <translation>Beställning {number} är med två gånger; ange bara dess senaste revision.</translation>
         </message>
@@ -6936,6 +6940,10 @@
             <translation>anteckningar</translation>
         </message>
         <message>
+            <source>nothing has to be milled with this cutter: do not run it</source>
+            <translation>inget ska fräsas med denna fräs: kör det inte</translation>
+        </message>
+        <message>
             <source>number</source>
             <translation>nummer</translation>
         </message>
@@ -8388,6 +8396,10 @@
             <translation>{fault} ({reason})</translation>
         </message>
         <message>
+            <source>{files} of an earlier program would lie beside {path}, and a shop could run both; remove the earlier one, or give the program another name.</source>
+            <translation>{files} från ett tidigare program skulle ligga bredvid {path}, och verkstaden kunde köra båda; ta bort det tidigare eller ge programmet ett annat namn.</translation>
+        </message>
+        <message>
             <source>{file} cannot be added under this name, which the order has already or which not every system takes; give it another name.</source>
             <translation>{file} kan inte läggas till under detta namn, som beställningen redan har eller som inte alla system tar emot; ge filen ett annat namn.</translation>
         </message>
@@ -8906,6 +8918,10 @@
         <message>
             <source>{offset}: {place}, and from there x {x:g} mm, y {y:g} mm</source>
             <translation>{offset}: {place}, och därifrån x {x:g} mm, y {y:g} mm</translation>
+        </message>
+        <message>
+            <source>{order} {side}</source>
+            <translation>{order} {side}</translation>
         </message>
         <message>
             <source>{other} is a copy of {one}; take the foot off, put it back, and capture it anew.</source>
@@ -9508,6 +9524,10 @@
             <translation>{piece} skrevs utan sitt antal och ligger här en gång; jämför med beställningen.</translation>
         </message>
         <message>
+            <source>{piece}: {told}</source>
+            <translation>{piece}: {told}</translation>
+        </message>
+        <message>
             <source>{placed} of {count} pieces find room on {block}; take a larger block, or nest fewer orders.</source>
             <translation>{placed} av {count} stycken får plats på {block}; ta ett större block eller lägg ut färre beställningar.</translation>
         </message>
@@ -9736,8 +9756,8 @@
             <translation>{text} ligger inte mellan {first} och {last}; kontrollera året.</translation>
         </message>
         <message>
-            <source>{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the thinnest {least:.1f} mm: the edge is thin or steep there. Hold the piece down when it comes free, or ask for more tabs.</source>
-            <translation>{thin} av {count} hållflikar blir tunnare än de {asked:g} mm som begärdes, den tunnaste {least:.1f} mm: kanten är tunn eller brant där. Håll fast stycket när det lossnar, eller begär fler hållflikar.</translation>
+            <source>{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the thinnest {least:.1f} mm: the edge is thin or steep there, or no block stays beside it. Hold the piece down when it comes free, or take a larger block.</source>
+            <translation>{thin} av {count} hållflikar blir tunnare än de {asked:g} mm som begärdes, den tunnaste {least:.1f} mm: kanten är tunn eller brant där, eller inget block blir kvar intill dem. Håll fast stycket när det lossnar, eller ta ett större block.</translation>
         </message>
         <message>
             <source>{used} of {taken} walls were used; they cover {share:.0%} of the image.</source>

@@ -55,6 +55,7 @@ from insole_core.workflows.nest_orders import (
     DayNest,
     OrderedPiece,
     gathered,
+    has_pieces,
     nest_pieces,
     pieces_of_files,
     pieces_of_order,
@@ -259,6 +260,37 @@ def test_materials_are_told_in_the_language_of_the_papers() -> None:
     ]
     (note,) = nest_pieces(pieces, SHEET).notes
     assert "Kork och EVA, polypropen" in translation_into("sv")(note)
+
+
+def test_the_outline_of_a_piece_is_found_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked_at: list[TriangleMesh] = []
+
+    def counted(solid: TriangleMesh) -> tuple[np.ndarray, ...]:
+        looked_at.append(solid)
+        return silhouette(solid)
+
+    monkeypatch.setattr("insole_core.workflows.nest_orders.silhouette", counted)
+    nest = nest_pieces([OrderedPiece("26-1", Side.LEFT, box(80, 200), quantity=4)], SHEET)
+    write_nest(nest, tmp_path / "n.stl", title="n")
+    assert len(looked_at) == 1
+    drawn = ezdxf.readfile(tmp_path / "n.dxf").modelspace().query("LWPOLYLINE[layer=='INSOLE']")
+    ends = [np.array([point[:2] for point in line]) for line in drawn]
+    assert sorted(tuple(end.min(axis=0).round(3)) for end in ends) == sorted(
+        tuple(each.solid.bounds_mm[0][:2].round(3)) for each in nest.pieces
+    )
+
+
+def test_an_order_without_solids_is_left_out_and_told(tmp_path: Path) -> None:
+    sheet, solid = tmp_path / "O-left-job-sheet.pdf", tmp_path / "O-left.stl"
+    assert not has_pieces([])
+    assert not has_pieces([sheet])
+    assert has_pieces([sheet, solid])
+    assert has_pieces([tmp_path / "O.zip"])
+    piece = OrderedPiece("26-1", Side.LEFT, box())
+    (note,) = nest_pieces([piece], SHEET, missing=["26-2"]).notes
+    assert "Order 26-2 has no solids and does not lie here" in note
 
 
 def test_an_order_that_comes_again_is_refused(orders: list[Path]) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from read_pdf import text_of_pdf
 
+from insole_core.errors import OutputError
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.milling.machine import read_machine
@@ -131,6 +132,30 @@ def test_without_tabs_none_are_cut(tmp_path: Path) -> None:
     sheet = " ".join(text_of_pdf(tmp_path / "P.pdf").split())
     assert "Cut the tabs" not in sheet
     assert "the last cut has set them free" in sheet
+
+
+def test_files_of_an_earlier_program_are_refused_and_one_without_moves_is_said_to_be(
+    tmp_path: Path,
+) -> None:
+    machine = read_machine(resource_path("milling/grbl.json"))
+    box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((15, 15, 0)))
+    plan = plan_milling([box], (50.0, 50.0, 8.0), machine, feet=[FootInBlock(Side.LEFT)])
+    plan = replace(plan, operations=plan.operations[:-1])
+    programs = program_paths(tmp_path / "P.nc", MillingChoice(machine))
+    places = ExportPaths(tmp_path / "P.stl", programs=programs, setup_sheet=tmp_path / "P.pdf")
+    block = Block("EVA", (50.0, 50.0, 8.0))
+    (tmp_path / "P-left.nc").touch()
+    for earlier in ("P.nc", "P-5.nc"):
+        (tmp_path / earlier).touch()
+        with pytest.raises(OutputError, match=rf"^{earlier} of an earlier program would lie"):
+            write_milling(plan, block, places, places, identification={"pseudonym": "P-7"})
+        assert not any(path.exists() for path in programs)
+        (tmp_path / earlier).unlink()
+    write_milling(plan, block, places, places, identification={"pseudonym": "P-7"})
+    sheet = " ".join(text_of_pdf(tmp_path / "P.pdf").split())
+    assert "P-3.nc nothing has to be milled with this cutter: do not run it" in sheet
+    assert "run P-2.nc" in sheet
+    assert "run P-3.nc" not in sheet
 
 
 def test_the_piece_lies_where_the_sheet_says(written: Written) -> None:

@@ -113,6 +113,7 @@ class NestActions(QObject):
     ) -> None:
         from insole_core.workflows.nest_orders import (
             gathered,
+            has_pieces,
             nest_pieces,
             pieces_of_files,
             write_nest,
@@ -120,13 +121,16 @@ class NestActions(QObject):
 
         def task(progress: Progress) -> tuple[int, WrittenNest]:
             try:
+                missing = [number for number, copies in files.items() if not has_pieces(copies)]
                 pieces = gathered(
-                    pieces_of_files(copies, number) for number, copies in files.items()
+                    pieces_of_files(copies, number)
+                    for number, copies in files.items()
+                    if number not in missing
                 )
                 nest = nest_pieces(
                     pieces, choice.block,
                     gap_mm=choice.gap_mm, margin_mm=choice.margin_mm,
-                    across=choice.milling is None, marked=choice.marked,
+                    across=choice.milling is None, marked=choice.marked, missing=missing,
                     progress=progress.part(0.0, 0.6),
                 )  # fmt: skip
                 written = write_nest(
