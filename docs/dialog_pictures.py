@@ -117,6 +117,7 @@ OF_WINDOWS = (
     "foot-corrected",
     "devices",
     "pressure",
+    "pressure-change",
     "start-page",
 )
 """Pictures that `pictures` takes of the main window and the foot stage."""

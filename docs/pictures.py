@@ -35,6 +35,7 @@ from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.simulate import SimulationOptions, simulate_session
 from insole_studio.app.scripted import ScriptedWindow, grab
+from insole_studio.features.design.load.load_dialog import LoadDialog
 from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
 from insole_studio.features.foot.rows import FootMap
 from insole_studio.features.foot.stage import FootStage
@@ -112,6 +113,7 @@ def take_documentation(language: Language) -> None:
         simulate_left_foot(session)
         take_windows(paths, images)
         take_pressure(paths, images)
+        take_pressure_change(paths, images)
         take_feet(paths, session, images, VARIANT[language])
         take_foot_stage(paths, session, images)
         take_clinic(of_clinic, session, images, language)
@@ -225,6 +227,18 @@ def take_pressure(paths: UserPaths, images: Path) -> None:
         studio.settle()
         act(studio, "tool_plantar", "map_pressure")
         studio.screenshot(images / "pressure.png")
+
+
+def take_pressure_change(paths: UserPaths, images: Path) -> None:
+    """How load moves on the example, for a person of 75 kg."""
+    with ScriptedWindow(paths, SMALL) as studio:
+        act(studio, "open_example", "map_load")
+        (dialog,) = studio.app.window.findChildren(LoadDialog)
+        dialog.was_read.click()
+        dialog.go_on.click()
+        dialog.weight.setValue(75.0)
+        studio.settle()
+        studio.screenshot(images / "pressure-change.png")
 
 
 def take_devices(images: Path, language: str) -> None:

@@ -48,6 +48,7 @@ class Settings:
     touch: bool = False
     software_rendering: bool = False
     tour_seen: bool = False
+    pressure_change_read: bool = False
     version_used: str = ""
     author: str = ""
     clinic: str = ""

@@ -19,6 +19,7 @@ from insole_core.insole.fields import Place, Range
 from insole_core.messages import Message
 from insole_core.pressure.laid_map import LOADED_KPA
 from insole_core.pressure.regions import REGIONS, regions_of
+from insole_core.progress import SILENT, Progress
 
 SENTENCE = Message(
     "Computed by a model, in per cent, for one posture; no measurement and no promise: what a "
@@ -35,6 +36,8 @@ GROUPS = {
 }
 """Names of what is reported, and the regions of the sole in each."""
 WEIGHT_KG = Range(5, 250, "kg")
+MOST_SHOWN = 100.0
+"""Per cent; a map shows no greater changes."""
 _BEHIND_HEADS = 0.04
 """Share of the length: pads press behind the heads, and relieve the heads themselves."""
 _SENSOR_MM = 10.0
@@ -49,6 +52,8 @@ _PUBLISHED = (-67.0, 110.0)
 """The greatest changes of published series, and 10 points; the model overrates what is beyond:
 reliefs up to 57 % (Chen, Ju and Tang, Clin. Biomech. 18, 2003), and twice the pressure on a pad."""
 _SAME = 1e-6
+_VARIED = 8
+"""Number of the assumptions that are varied."""
 _DENSE = 0.5
 """Strain from which on foams are stiffer than they are taken to be."""
 
@@ -178,6 +183,12 @@ class Change:
         told = self.sole.known & (self.old_kpa >= LOADED_KPA)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(told, 100 * (self.new_kpa / self.old_kpa - 1), np.nan)
+
+    @cached_property
+    def shown_percent(self) -> FloatArray:
+        """(ny, nx) change to be painted: that of what is newly pressed is as large as can be."""
+        newly = self.sole.known & np.isnan(self.percent) & (self.new_kpa >= LOADED_KPA)
+        return np.where(newly, MOST_SHOWN, np.clip(self.percent, -MOST_SHOWN, MOST_SHOWN))
 
     @property
     def areas_mm2(self) -> tuple[float, float]:
@@ -320,6 +331,7 @@ def pressure_change(
     points: Sequence[Place] = (),
     assumed: Assumptions | None = None,
     known: Change | None = None,
+    progress: Progress = SILENT,
 ) -> PressureChange:
     """Compute how load moves, and how sure that is.
 
@@ -343,13 +355,14 @@ def pressure_change(
     ------
     InputError
         When no pressure on the sole has the centre of the posture.
+    Cancelled
     """
     assumed = assumed or Assumptions()
     usual = known or changed(loading, old, new, assumed)
-    varied = [
-        changed(loading, old, new, other, usual)
-        for other in assumed.varied(material_is_known=material_is_known)
-    ]
+    varied: list[Change] = []
+    for other in assumed.varied(material_is_known=material_is_known):
+        progress.step(len(varied) / _VARIED, "Loading the foot")
+        varied.append(changed(loading, old, new, other, usual))
     regions = {}
     for name in GROUPS:
         here = usual.of(name)

@@ -107,6 +107,7 @@ class MainController(QObject):
         self._services.recent.changed.connect(self._show_recent)
         self._stage.action_requested.connect(self._run_requested)
         self._stage.plantar.changed.connect(self._show_choices)
+        self._stage.load.changed.connect(self._show_choices)
         self._stage.steps.chosen.connect(self._go_to_step)
 
     def _connect_features(self) -> None:
@@ -276,6 +277,7 @@ class MainController(QObject):
         features.case_files.saver.cancel()
         features.design.plantar.leave_case()
         features.design.shoe.leave_case()
+        features.design.load.leave_case()
         features.design.side_by_side.forget()
         features.design.repeat.forget()
         self._stage.clear()

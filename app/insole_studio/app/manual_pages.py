@@ -22,6 +22,7 @@ PAGES = {
     "features.clinic.place_dialog": "stations",
     "features.compare": "two-feet",
     "features.design.devices": "rim-and-device",
+    "features.design.load": "pressure-change",
     "features.design.plantar": "pressure",
     "features.design.shoe": "design",
     "features.export": "export",

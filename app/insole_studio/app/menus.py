@@ -22,7 +22,15 @@ def _added(name: str) -> tuple[str, ...]:
     return (f"add_{name}", "add_arch_height") if name == "arch_raise" else (f"add_{name}",)
 
 
-MAP_KEYS = ("map_none", "map_height", "map_thickness", "map_fit", "map_difference", "map_pressure")
+MAP_KEYS = (
+    "map_none",
+    "map_height",
+    "map_thickness",
+    "map_fit",
+    "map_difference",
+    "map_pressure",
+    "map_load",
+)
 LANGUAGE_KEYS = ("language_system", *(f"language_{code}" for code in LANGUAGES))
 BESIDE_KEYS = ("beside_nothing", "beside_foot", "beside_variant")
 TOOL_KEYS = (

@@ -193,13 +193,13 @@ def _changed(
     sole, (new, old) = Sole.of(foot), designs
     before = shoe.floor(sole, new) if old is None else shoe.built(sole, old, progress.part(0, 0.3))
     after = shoe.built(sole, new, progress.part(0.3, 0.6))
-    progress.step(0.6, "Loading the foot")
     return pressure_change(
         Loading(sole, arguments.weight_kg, Posture(arguments.posture)),
         before,
         after,
         material_is_known=shoe.knows_material(new),
         points=arguments.at,
+        progress=progress.part(0.6, 1.0),
     )
 
 

@@ -1692,6 +1692,10 @@
             <translation>Lisfranc</translation>
         </message>
         <message>
+            <source>Loading the foot</source>
+            <translation>Belastar foten</translation>
+        </message>
+        <message>
             <source>Looking at both surfaces</source>
             <translation>Betraktar båda ytorna</translation>
         </message>

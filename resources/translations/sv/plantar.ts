@@ -16,8 +16,28 @@
             <translation>Lägg bibliotekets avlastning under huvudet; den kan ångras och ändras</translation>
         </message>
         <message>
+            <source>Between (95 %)</source>
+            <translation>Mellan (95 %)</translation>
+        </message>
+        <message>
+            <source>Change of pressure</source>
+            <translation>Ändring av trycket</translation>
+        </message>
+        <message>
             <source>Click two points whose distance is known</source>
             <translation>Klicka på två punkter vars avstånd är känt</translation>
+        </message>
+        <message>
+            <source>Colour by where this insole takes load off, and where it puts it, by a model</source>
+            <translation>Färglägg efter var inlägget avlastar och var det belastar, enligt en modell</translation>
+        </message>
+        <message>
+            <source>Compared with</source>
+            <translation>Jämfört med</translation>
+        </message>
+        <message>
+            <source>Contact {old} → {new} cm²</source>
+            <translation>Kontakt {old} → {new} cm²</translation>
         </message>
         <message>
             <source>Counter-clockwise, seen from above</source>
@@ -64,8 +84,20 @@
             <translation>Markkontakt</translation>
         </message>
         <message>
+            <source>Head {number}</source>
+            <translation>Huvud {number}</translation>
+        </message>
+        <message>
             <source>How much the map covers foot and insole</source>
             <translation>Hur mycket bilden täcker fot och inlägg</translation>
+        </message>
+        <message>
+            <source>I have read what this can tell and what it cannot</source>
+            <translation>Jag har läst vad den kan säga och inte kan säga</translation>
+        </message>
+        <message>
+            <source>It is no measurement. What the patient's foot does in the shoe, only a measurement in the shoe tells. F1 opens the whole page, with all it was checked against.</source>
+            <translation>Den är ingen mätning. Vad patientens fot gör i skon visar bara en mätning i skon. F1 öppnar hela sidan, med allt den har prövats mot.</translation>
         </message>
         <message>
             <source>Lay a map under the foot</source>
@@ -90,6 +122,14 @@
         <message>
             <source>Map</source>
             <translation>Tryckbild</translation>
+        </message>
+        <message>
+            <source>Metatarsal heads</source>
+            <translation>Metatarsalhuvuden</translation>
+        </message>
+        <message>
+            <source>Midfoot</source>
+            <translation>Mellanfot</translation>
         </message>
         <message>
             <source>Move and turn the pressure map or footprint under the foot</source>
@@ -136,12 +176,20 @@
             <translation>Måla tryckbilden eller fotavtrycket över fot och inlägg</translation>
         </message>
         <message>
+            <source>Peak pressure</source>
+            <translation>Högsta tryck</translation>
+        </message>
+        <message>
             <source>Peak pressure under a head from which on a relief is proposed</source>
             <translation>Högsta tryck under ett huvud från vilket en avlastning föreslås</translation>
         </message>
         <message>
             <source>Peaks, kPa</source>
             <translation>Högsta tryck, kPa</translation>
+        </message>
+        <message>
+            <source>Posture</source>
+            <translation>Ställning</translation>
         </message>
         <message>
             <source>Pressure</source>
@@ -158,6 +206,10 @@
         <message>
             <source>Pressure map or footprint</source>
             <translation>Tryckbild eller fotavtryck</translation>
+        </message>
+        <message>
+            <source>Put in the body weight; nothing is assumed.</source>
+            <translation>Ange kroppsvikten; inget antas.</translation>
         </message>
         <message>
             <source>Relief: {head} ({kpa:.0f} kPa)</source>
@@ -192,12 +244,20 @@
             <translation>Sensorernas avstånd, längs</translation>
         </message>
         <message>
+            <source>Show the change</source>
+            <translation>Visa ändringen</translation>
+        </message>
+        <message>
             <source>Shown</source>
             <translation>Visas</translation>
         </message>
         <message>
             <source>Still to be said: {list}</source>
             <translation>Ännu att ange: {list}</translation>
+        </message>
+        <message>
+            <source>The design names no material; foam of Shore A {hardness} is assumed.</source>
+            <translation>Designen anger inget material; skum med Shore A {hardness} antas.</translation>
         </message>
         <message>
             <source>Turn the map</source>
@@ -212,6 +272,18 @@
             <translation>Enhet</translation>
         </message>
         <message>
+            <source>What it can tell: where an insole takes load off and where it puts it, in per cent, and which of two designs relieves a place more. Each figure has limits, between which the change should lie in 95 of 100 feet.</source>
+            <translation>Vad den kan säga: var ett inlägg avlastar och var det belastar, i procent, och vilken av två designer som avlastar ett ställe mest. Varje tal har gränser, som ändringen bör ligga mellan hos 95 fötter av 100.</translation>
+        </message>
+        <message>
+            <source>What it cannot tell: pressures in kPa, pain, or whether an ulcer heals. The foot is one rigid bone with soft tissue: its arch does not sag and its toes do not bend, so that postings and total contact under the forefoot are judged wrongly. Where the model is not sure enough, it says so. A foot that was scanned with weight on it is refused.</source>
+            <translation>Vad den inte kan säga: tryck i kPa, smärta, eller om ett sår läker. Foten är ett enda stelt ben med mjukdelar: valvet sjunker inte ihop och tårna böjs inte, så kilningar och full kontakt under framfoten bedöms fel. Där modellen inte är säker nog säger den det. En fot som skannades under belastning avvisas.</translation>
+        </message>
+        <message>
+            <source>a flat shoe</source>
+            <translation>en plan sko</translation>
+        </message>
+        <message>
             <source>above, as one sees one's own foot</source>
             <translation>uppifrån, som man ser sin egen fot</translation>
         </message>
@@ -220,12 +292,28 @@
             <translation>nerifrån, som en skanner ser den</translation>
         </message>
         <message>
+            <source>cannot tell</source>
+            <translation>kan inte säga</translation>
+        </message>
+        <message>
+            <source>heel strike</source>
+            <translation>hälisättning</translation>
+        </message>
+        <message>
             <source>heel {heel}, midfoot {midfoot}, heads 1–5: {heads}, hallux {hallux}, toes {toes}</source>
             <translation>häl {heel}, mellanfot {midfoot}, huvud 1–5: {heads}, stortå {hallux}, tår {toes}</translation>
         </message>
         <message>
+            <source>no pressure</source>
+            <translation>inget tryck</translation>
+        </message>
+        <message>
             <source>per inch</source>
             <translation>per tum</translation>
+        </message>
+        <message>
+            <source>standing on both feet</source>
+            <translation>stående på båda fötterna</translation>
         </message>
         <message>
             <source>table</source>

@@ -22,6 +22,7 @@ from insole_studio.features.design.actions.repeat_actions import RepeatActions
 from insole_studio.features.design.actions.variant_actions import VariantActions
 from insole_studio.features.design.actions.view_actions import SideBySideActions
 from insole_studio.features.design.devices.device_actions import DeviceActions
+from insole_studio.features.design.load.load_actions import LoadActions
 from insole_studio.features.design.plantar.plantar_actions import PlantarActions
 from insole_studio.features.design.shoe.shoe_actions import ShoeActions
 from insole_studio.features.design.stage import DesignStage
@@ -49,6 +50,7 @@ class Design:
     devices: DeviceActions
     plantar: PlantarActions
     shoe: ShoeActions
+    load: LoadActions
 
 
 def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
@@ -70,6 +72,7 @@ def make_design_stage(case: Case, jobs: Jobs, dark: bool) -> DesignStage:
     tools = make_tools(section, rim, plantar, pads, rules)
     return DesignStage(
         case=case,
+        jobs=jobs,
         surface=preview,
         foot_display=FootDisplay(case, jobs),
         section=section,
@@ -117,4 +120,5 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
         ),
         plantar=PlantarActions(services, stage.plantar, side_by_side, edit),
         shoe=ShoeActions(services),
+        load=LoadActions(services, stage.load, side_by_side),
     )

@@ -13,6 +13,7 @@ from insole_core.workflows.pad_library import LibraryPad
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.load_view import LoadView
 from insole_studio.document.material_model import MaterialModel
 from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
@@ -35,6 +36,7 @@ from insole_studio.features.design.patient.measure_texts import place_of
 from insole_studio.features.design.patient.patient_presenter import PatientPresenter
 from insole_studio.features.design.patient.patient_view import PatientView
 from insole_studio.features.design.tools.tool_controller import ToolController
+from insole_studio.jobs import Jobs
 from insole_studio.scene.pointer import PointerEvent
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject, ViewCamera
@@ -64,6 +66,7 @@ class DesignStage(QObject):
         self,
         *,
         case: Case,
+        jobs: Jobs,
         surface: InsolePreview,
         foot_display: FootDisplay,
         section: SectionModel,
@@ -77,7 +80,11 @@ class DesignStage(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        shown = ShownModels(case, surface, section, tool_controller, counterpart, plantar)
+        self.materials = MaterialModel()
+        self.load = LoadView(case, surface, jobs, self.materials)
+        shown = ShownModels(
+            case, surface, section, tool_controller, counterpart, plantar, self.load
+        )
         self._case = case
         self.preview = surface
         self.tool_controller = self._tool_controller = tool_controller
@@ -86,7 +93,6 @@ class DesignStage(QObject):
         self.rules = rules
         self.rim_model = rim
         self.plantar = plantar
-        self.materials = MaterialModel()
         self.cut = section
         self._was_asked = False, False
         """Whether the section followed the pointer, and whether its tool was taken."""

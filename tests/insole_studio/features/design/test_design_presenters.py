@@ -29,6 +29,7 @@ from insole_core.workflows.pad_library import load_pads
 from insole_studio.document.case import Case
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.load_view import LoadView
 from insole_studio.document.material_model import MaterialModel
 from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.rim_model import RimModel
@@ -146,6 +147,7 @@ def facts(
         "tool_controller": tool_controller,
         "counterpart": SideBySide(case, jobs, surface.builder),
         "plantar": PlantarView(),
+        "load": LoadView(case, surface, jobs, MaterialModel()),
     }
     jobs.close()
 

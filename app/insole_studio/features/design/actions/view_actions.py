@@ -82,6 +82,16 @@ VIEW_ACTIONS: tuple[ActionRecord[Design], ...] = (
         "Q",
     ),
     ActionRecord(
+        f"map_{MapKind.LOAD.value}",
+        lambda: tr("Change of pressure"),
+        lambda: tr("Colour by where this insole takes load off, and where it puts it, by a model"),
+        lambda design, on: design.load.show() if on else None,
+        shortcut="Shift+L",
+        checkable=True,
+        group="maps",
+        needs_foot=True,
+    ),
+    ActionRecord(
         "contours",
         lambda: tr("Contour lines"),
         lambda: tr("Lines of equal height on the contact surface, a millimetre apart"),
@@ -203,5 +213,6 @@ class SideBySideActions:
 
     def _show(self, kind: MapKind) -> None:
         self._stage.insole_presenter.show_map(kind)
+        self._stage.foot_presenter.show_load(kind is MapKind.LOAD)
         self._stage.foot_presenter.show_plantar(kind is MapKind.PRESSURE)
         self._stage.foot_presenter.show_difference(kind is MapKind.DIFFERENCE)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from enum import StrEnum
 
 import numpy as np
 
+from insole_core.contact.change import MOST_SHOWN, Change
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -33,6 +35,7 @@ class MapKind(StrEnum):
     FIT = "fit"
     DIFFERENCE = "difference"
     PRESSURE = "pressure"
+    LOAD = "load"
 
 
 def color_by(kind: MapKind, surface: InsolePreview, counterpart: SideBySide) -> Coloring | None:
@@ -156,8 +159,7 @@ def painted_foot(
         base = mesh.colors.astype(np.float64)
     else:
         base = np.tile(_SKIN, (len(mesh.vertices), 1))
-    is_sole = (mesh.vertex_normals[:, 2] < _FACING) & (mesh.vertices[:, 2] < _HIGHEST_MM)
-    return _painted(shown, mesh.vertices, base, is_sole, opacity)
+    return _painted(shown, mesh.vertices, base, is_sole(mesh), opacity)
 
 
 def painted_insole(
@@ -201,6 +203,34 @@ def _painted(
     share = faded[:, None]
     colors = share * colors + (1 - share) * base
     return Coloring(values, limits, title, unit=unit, painted=colors.round().astype(np.uint8))
+
+
+def load_coloring(change: Change, vertices: FloatArray, where: BoolArray) -> Coloring:
+    """Return the colours of a surface by how the pressure changes there.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float64, mm, insole frame
+    where : (n,) bool
+        Which of them belong to the sole, or to the upper side of the insole.
+    """
+    values = np.full(len(vertices), np.nan)
+    percent = replace(change.sole.field, heights_mm=change.shown_percent)
+    values[where] = percent.height_at(vertices[where, :2])
+    return Coloring(
+        values,
+        (-MOST_SHOWN, MOST_SHOWN),
+        tr("Change of pressure"),
+        signed=True,
+        unit="%",
+        missing=tr("no pressure"),
+    )
+
+
+def is_sole(mesh: TriangleMesh) -> BoolArray:
+    """(n,) which vertices of a foot belong to its sole."""
+    low = mesh.vertices[:, 2] < _HIGHEST_MM
+    return np.asarray((mesh.vertex_normals[:, 2] < _FACING) & low)
 
 
 def _span_kpa(shown: PressureMap) -> float:

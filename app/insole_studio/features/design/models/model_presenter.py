@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from insole_core.cases.case_record import ReferencePlane
+from insole_core.contact.change import SENTENCE, Change
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import SurfacePicker
 from insole_core.geometry.side import Side
@@ -23,6 +24,7 @@ from insole_studio.document.case import Case
 from insole_studio.document.case_names import choose_variant
 from insole_studio.document.foot_display import FootDisplay
 from insole_studio.document.insole_preview import InsolePreview
+from insole_studio.document.load_view import LoadView
 from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
@@ -30,6 +32,8 @@ from insole_studio.features.design.models.color_maps import (
     MapKind,
     color_by,
     color_foot,
+    is_sole,
+    load_coloring,
     numbers_text,
     painted_foot,
     painted_insole,
@@ -53,7 +57,7 @@ from insole_studio.scene.coloring import Coloring, ContourLines, contour_lines, 
 from insole_studio.scene.guide_lines import GuideLines
 from insole_studio.scene.pointer import MarkedPoint, PointerEvent
 from insole_studio.scene.view_camera import Subject
-from insole_studio.texts import localised, tr
+from insole_studio.texts import localised, tr, translate_core_message
 
 OUTLINE_STRIDE = 3
 SECTION_POINTS = 192
@@ -71,6 +75,7 @@ class ShownModels:
     tool_controller: ToolController
     counterpart: SideBySide
     plantar: PlantarView
+    load: LoadView
 
 
 class ModelPresenter:
@@ -86,6 +91,7 @@ class ModelPresenter:
         self._section = shown.section
         self._tool_controller = shown.tool_controller
         self._plantar = shown.plantar
+        self._load = shown.load
         self._painted: PlantarLayers | None = None
         """What lay under the foot when it was last painted over the surface."""
         self._marked: tuple[object, ...] = _NOTHING
@@ -106,6 +112,7 @@ class ModelPresenter:
         for signal in (case.changed, case.preview_changed):
             signal.connect(self._follow_plantar)
         shown.plantar.changed.connect(self.paint)
+        shown.load.changed.connect(self.paint_load)
 
     def _follow_plantar(self) -> None:
         """Paint again if what lies under the foot has moved."""
@@ -114,6 +121,10 @@ class ModelPresenter:
 
     def paint(self) -> None:
         """Paint what lies under the foot over the surface, while that is asked for."""
+        raise NotImplementedError
+
+    def paint_load(self) -> None:
+        """Colour the surface by how load moves, while that is asked for."""
         raise NotImplementedError
 
     @property
@@ -411,6 +422,8 @@ class FootPresenter(ModelPresenter):
     subject = Subject.FOOT
     _is_compared = False
     _is_painted = False
+    _is_loaded = False
+    """Whether the sole is coloured by how load moves."""
     _ghost = False
     """Whether the insole is shown translucently below the foot."""
 
@@ -480,6 +493,27 @@ class FootPresenter(ModelPresenter):
         display = self._display.surface
         return foot.mesh if display is None else display.mesh
 
+    def show_load(self, shown: bool) -> None:
+        """Colour the sole by how load moves, or show the foot in its own colours."""
+        if shown is not self._is_loaded:
+            self._is_loaded = shown
+            if self._case.foot is not None:
+                self._show_foot(self._case.foot)
+
+    def paint_load(self) -> None:
+        """Colour the sole by how load moves."""
+        foot = self._case.foot
+        if not self._is_loaded or foot is None:
+            return
+        mesh = self._shown_mesh(foot)
+        coloring = self._load_coloring(mesh)
+        if not self.panel.move_mesh(mesh, mesh.vertex_normals, _NO_VERTEX, coloring):
+            self._show_foot(foot)
+
+    def _load_coloring(self, mesh: TriangleMesh) -> Coloring | None:
+        change = self._load.change
+        return None if change is None else load_coloring(change, mesh.vertices, is_sole(mesh))
+
     def show_counterpart(self) -> None:
         """Show the other foot, and the difference to it."""
         super().show_counterpart()
@@ -487,6 +521,11 @@ class FootPresenter(ModelPresenter):
             self._show_foot(self._case.foot)
 
     def _show_foot(self, foot: Foot) -> None:
+        if self._is_loaded:
+            mesh = self._shown_mesh(foot)
+            self.panel.show_mesh(mesh, self._load_coloring(mesh))
+            self.panel.show_numbers(translate_core_message(SENTENCE))
+            return
         if self._is_painted:
             mesh = self._shown_mesh(foot)
             self.panel.show_mesh(mesh, self._plantar_coloring(mesh))
@@ -551,6 +590,8 @@ class InsolePresenter(ModelPresenter):
         self._contours = True
         self._shoe = False
         self._shoe_lines: GuideLines | None = None
+        self._loaded: tuple[Change, tuple[int, ...], Coloring] | None = None
+        """What the colours by the change of the pressure were last made of, and they themselves."""
         self._shoe_of: tuple[object, ...] | None = None
         """What the shown outline of a shoe was made of."""
         self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
@@ -593,14 +634,36 @@ class InsolePresenter(ModelPresenter):
         if not self.panel.move_mesh(mesh, normals, _NO_VERTEX, self._coloring()):
             self._show_mesh_anew()
 
+    def paint_load(self) -> None:
+        """Colour the insole by how load moves."""
+        mesh, normals = self._surface.mesh, self._surface.normals
+        if self._map is not MapKind.LOAD or mesh is None or normals is None:
+            return
+        if not self.panel.move_mesh(mesh, normals, _NO_VERTEX, self._coloring()):
+            self._show_mesh_anew()
+
+    def _load_coloring(self) -> Coloring | None:
+        """Return the colours, the same while neither change nor vertices' places differ."""
+        change, mesh = self._load.change, self._surface.mesh
+        if change is None or mesh is None or self._surface.bottom_heights_mm is None:
+            return None
+        if self._loaded is None or self._loaded[:2] != (change, mesh.triangles.shape):
+            is_top = self._is_top(len(self._surface.bottom_heights_mm))
+            coloring = load_coloring(change, mesh.vertices, is_top)
+            self._loaded = change, mesh.triangles.shape, coloring
+        return self._loaded[2]
+
+    def _is_top(self, size: int) -> BoolArray:
+        """(n,) which vertices of the mesh belong to the upper side."""
+        return self._surface.values_everywhere(np.ones(size), np.zeros(size)) > 0
+
     def _plantar_coloring(self) -> Coloring | None:
         self._painted = self._case.shown.plantar
         shown, mesh = self._plantar.shown(self._painted), self._surface.mesh
         bottom = self._surface.bottom_heights_mm
         if shown is None or mesh is None or bottom is None:
             return None
-        size = len(bottom)
-        is_top = self._surface.values_everywhere(np.ones(size), np.zeros(size)) > 0
+        is_top = self._is_top(len(bottom))
         return painted_insole(shown, mesh.vertices, is_top, self._plantar.opacity)
 
     def _beside(self) -> TriangleMesh | None:
@@ -686,6 +749,9 @@ class InsolePresenter(ModelPresenter):
         if self._map is MapKind.PRESSURE:
             self.panel.show_numbers("")
             return self._plantar_coloring()
+        if self._map is MapKind.LOAD:
+            self.panel.show_numbers(translate_core_message(SENTENCE))
+            return self._load_coloring()
         coloring = color_by(self._map, self._surface, self._counterpart)
         foot, text = self._case.record.current, ""
         if coloring is not None and foot is not None and self._map is MapKind.DIFFERENCE:

@@ -1,0 +1,1 @@
+"""The window of the change of the pressure; see `load_actions`."""

@@ -1,0 +1,126 @@
+"""Opens the change of the pressure, and keeps its table in step with the insole."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from insole_core.contact.change import GROUPS, Told
+from insole_core.contact.hardness import USUAL_SHORE_A
+from insole_studio.document.load_view import LoadView
+from insole_studio.features.design.actions.view_actions import SideBySideActions
+from insole_studio.features.design.models.color_maps import MapKind
+from insole_studio.services.app_services import AppServices
+from insole_studio.texts import fill, localised, tr, translate_core_message
+from insole_studio.widgets.row_table import TableRow
+
+if TYPE_CHECKING:
+    from insole_studio.features.design.load.load_dialog import LoadDialog
+
+
+class LoadActions:
+    """Shows how load moves: as colours in both views, and as a table in a window beside them."""
+
+    def __init__(
+        self, services: AppServices, load: LoadView, side_by_side: SideBySideActions
+    ) -> None:
+        self._services, self._case = services, services.case
+        self._load, self._side_by_side = load, side_by_side
+        self._dialog: LoadDialog | None = None
+        load.told.connect(self._show_told)
+        self._case.changed.connect(self._show_variants)
+
+    def leave_case(self) -> None:
+        """Close the window before another case comes: its weight is that of this person."""
+        if self._dialog is not None:
+            self._dialog.reject()
+
+    def show(self) -> None:
+        """Open the window, and colour both views once something is asked."""
+        from insole_studio.features.design.load.load_dialog import LoadDialog
+
+        self._side_by_side.show_map(MapKind.LOAD)
+        if self._dialog is None:
+            is_read = self._services.settings.pressure_change_read
+            self._dialog = dialog = LoadDialog(is_read=is_read, parent=self._services.window)
+            design = self._case.record.design
+            if design is not None and design.shell is not None and design.shell.body_weight_kg:
+                dialog.weight.show_value(design.shell.body_weight_kg)
+            dialog.asked.connect(self._ask)
+            dialog.finished.connect(self._close)
+            self._show_variants()
+            dialog.show()
+            self._ask()
+        self._dialog.raise_()
+
+    def _ask(self) -> None:
+        assert self._dialog is not None
+        if self._dialog.is_read and not self._services.settings.pressure_change_read:
+            self._services.settings.pressure_change_read = True
+            self._services.save_settings()
+        self._load.ask(self._dialog.question)
+        self._show_told()
+
+    def _close(self) -> None:
+        self._dialog = None
+        self._load.ask(None)
+        if self._side_by_side.map_kind is MapKind.LOAD:
+            self._side_by_side.show_map(MapKind.NONE)
+            self._load.changed.emit()
+
+    def _show_variants(self) -> None:
+        foot = self._case.record.current
+        if self._dialog is not None and foot is not None:
+            names = [one.name for one in foot.variants if one.name != foot.chosen]
+            self._dialog.show_variants(names)
+            self._load.ask(self._dialog.question)
+
+    def _show_told(self) -> None:
+        dialog, load = self._dialog, self._load
+        if dialog is None:
+            return
+        if dialog.question is None and dialog.is_read:
+            dialog.problem.say(tr("Put in the body weight; nothing is assumed."))
+        else:
+            dialog.problem.say(load.problem)
+        assumed = "" if load.names_material else fill(
+            tr("The design names no material; foam of Shore A {hardness} is assumed."),
+            hardness=localised(USUAL_SHORE_A, ".0f"),
+        )  # fmt: skip
+        dialog.assumed.say(assumed)
+        change = load.change
+        if change is None:
+            dialog.show_rows([], "")
+            return
+        told = {} if load.limits is None else load.limits.regions
+        rows = [_row(name, text, told.get(name)) for name, text in _regions().items()]
+        old, new = (localised(mm2 / 100, ".0f") for mm2 in change.areas_mm2)
+        dialog.show_rows(rows, fill(tr("Contact {old} → {new} cm²"), old=old, new=new))
+
+
+def _row(name: str, text: str, told: Told | None) -> TableRow:
+    """Return what is told of a region; no figure is shown without its limits."""
+    if told is None:
+        return TableRow(name, (text, "…", "…"))
+    if told.reason or told.percent is None or told.limits is None:
+        reason = translate_core_message(told.reason)
+        return TableRow(name, (text, tr("cannot tell"), reason), attention=True, tip=reason)
+    low, high = told.limits
+    return TableRow(name, (text, _signed(told.percent), f"{_signed(low)} … {_signed(high)}"))
+
+
+def _signed(percent: float) -> str:
+    return f"{localised(round(percent) + 0.0, '+.0f')} %"
+
+
+def _regions() -> dict[str, str]:
+    """Return the words for the regions, in the order of the table."""
+    names = {
+        "heel": tr("Heel"),
+        "midfoot": tr("Midfoot"),
+        "metatarsal_heads": tr("Metatarsal heads"),
+        "toes": tr("Toes"),
+    }
+    heads = {
+        f"head_{number}": fill(tr("Head {number}"), number=str(number)) for number in range(1, 6)
+    }
+    return {name: text for name, text in {**names, **heads}.items() if name in GROUPS}

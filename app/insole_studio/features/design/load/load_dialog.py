@@ -1,0 +1,161 @@
+"""What is told of a change of the pressure: read first, then asked, then a table of regions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QFormLayout,
+    QLabel,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from insole_core.contact.change import SENTENCE, WEIGHT_KG
+from insole_core.contact.load_case import Posture
+from insole_studio.document.load_view import LoadQuestion
+from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.form_parts import ComboBox, mark_labels
+from insole_studio.widgets.message_label import MessageLabel
+from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.row_table import RowTable, TableRow
+
+_WIDTH_PX, _TABLE_PX = 470, 290
+_FLAT = ""
+
+
+class LoadDialog(QDialog):
+    """Asks for weight and posture, and shows the table; lies beside the views, not over them.
+
+    Parameters
+    ----------
+    is_read
+        Whether the page was read before.
+    """
+
+    asked = Signal()
+    """Another question is asked, or the page was read."""
+
+    def __init__(self, *, is_read: bool, parent: QWidget | None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Change of pressure"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setMinimumWidth(_WIDTH_PX)
+        self.weight = NumberField("kg", least=0, greatest=WEIGHT_KG.greatest, step=1)
+        self.weight.allow_unknown(WEIGHT_KG.least)
+        self.posture = ComboBox([(posture.value, text) for posture, text in _postures()])
+        self.against = ComboBox([(_FLAT, tr("a flat shoe"))])
+        self.table = RowTable(
+            [tr("Region"), tr("Peak pressure"), tr("Between (95 %)")], sorts=False
+        )
+        self.table.setMinimumHeight(_TABLE_PX)
+        self.area = QLabel()
+        self.problem = MessageLabel("warning")
+        self.assumed = MessageLabel("quiet")
+        self.was_read = QCheckBox(tr("I have read what this can tell and what it cannot"))
+        self.go_on = QPushButton(tr("Show the change"))
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._page_to_read())
+        self._pages.addWidget(self._answer())
+        layout = QVBoxLayout(self)
+        layout.addWidget(self._pages)
+        self._pages.setCurrentIndex(int(is_read))
+        self.was_read.toggled.connect(self.go_on.setEnabled)
+        self.go_on.setEnabled(False)
+        self.go_on.clicked.connect(self._begin)
+        for field in (self.weight, self.posture, self.against):
+            field.edited.connect(self._ask)
+
+    @property
+    def is_read(self) -> bool:
+        """Whether the page was read."""
+        return self._pages.currentIndex() == 1
+
+    @property
+    def question(self) -> LoadQuestion | None:
+        """What is asked; None until the page was read and a weight is given."""
+        if not self.is_read or self.weight.value() not in WEIGHT_KG:
+            return None
+        posture = Posture(self.posture.currentData())
+        return LoadQuestion(self.weight.value(), posture, self.against.currentData())
+
+    def show_variants(self, names: Sequence[str]) -> None:
+        """Offer these variants to compare with, and the flat shoe."""
+        before = self.against.currentData()
+        self.against.clear()
+        self.against.addItem(tr("a flat shoe"), _FLAT)
+        for name in names:
+            self.against.addItem(name, name)
+        self.against.show_value(before if before in names else _FLAT)
+
+    def show_rows(self, rows: Sequence[TableRow], area: str) -> None:
+        """Show what is told of the regions, and the area of contact."""
+        self.table.show_rows(rows)
+        self.area.setText(area)
+
+    def _ask(self, _value: object) -> None:
+        self.asked.emit()
+
+    def _begin(self) -> None:
+        self._pages.setCurrentIndex(1)
+        self.weight.setFocus()
+        self.weight.selectAll()
+        self.asked.emit()
+
+    def _page_to_read(self) -> QWidget:
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setSpacing(12)
+        for text in (
+            tr("What it can tell: where an insole takes load off and where it puts it, in "
+               "per cent, and which of two designs relieves a place more. Each figure has limits, "
+               "between which the change should lie in 95 of 100 feet."),
+            tr("What it cannot tell: pressures in kPa, pain, or whether an ulcer heals. The "
+               "foot is one rigid bone with soft tissue: its arch does not sag and its toes do not "
+               "bend, so that postings and total contact under the forefoot are judged wrongly. "
+               "Where the model is not sure enough, it says so. A foot that was scanned with "
+               "weight on it is refused."),
+            tr("It is no measurement. What the patient's foot does in the shoe, only a "
+               "measurement in the shoe tells. F1 opens the whole page, with all it was checked "
+               "against."),
+        ):  # fmt: skip
+            words = QLabel(text)
+            words.setWordWrap(True)
+            layout.addWidget(words)
+        layout.addStretch(1)
+        layout.addWidget(self.was_read)
+        layout.addWidget(self.go_on)
+        return page
+
+    def _answer(self) -> QWidget:
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        for label, field in (
+            (tr("Body weight"), self.weight),
+            (tr("Posture"), self.posture),
+            (tr("Compared with"), self.against),
+        ):
+            form.addRow(label, field)
+        mark_labels(form)
+        sentence = QLabel(translate_core_message(SENTENCE))
+        sentence.setWordWrap(True)
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setSpacing(12)
+        layout.addLayout(form)
+        for part in (self.problem, self.table, self.area, self.assumed, sentence):
+            layout.addWidget(part)
+        return page
+
+
+def _postures() -> tuple[tuple[Posture, str], ...]:
+    return (
+        (Posture.STANDING, tr("standing on both feet")),
+        (Posture.HEEL_STRIKE, tr("heel strike")),
+        (Posture.PUSH_OFF, tr("push-off")),
+    )

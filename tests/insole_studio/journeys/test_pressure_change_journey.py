@@ -1,0 +1,85 @@
+"""How load moves is shown while the insole is drawn, once what it can tell has been read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from pointing import LEFT
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from insole_core.contact.change import SENTENCE
+from insole_core.insole.elements import Pelott
+from insole_studio.app.bootstrap import Application
+from insole_studio.features.design.load.load_dialog import LoadDialog
+from insole_studio.features.design.models.color_maps import MapKind
+
+Settle = Callable[[], None]
+
+
+def act(app: Application, key: str) -> None:
+    app.window.actions_by_key[key].trigger()
+
+
+def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
+    app: Application, settle: Settle
+) -> None:
+    act(app, "open_example")
+    settle()
+    load, stage = app.stage.load, app.stage
+    act(app, "map_load")
+    (dialog,) = app.window.findChildren(LoadDialog)
+    assert dialog.question is None
+    assert not dialog.go_on.isEnabled()
+    QTest.mouseClick(dialog.was_read, LEFT)
+    QTest.mouseClick(dialog.go_on, LEFT)
+    settle()
+    assert not dialog.table.rows  # no weight is assumed
+    assert "body weight" in dialog.problem.text()
+    QTest.keyClicks(dialog.weight, "75")
+    QTest.keyClick(dialog.weight, Qt.Key.Key_Return)
+    settle()
+    assert app.services.settings.pressure_change_read
+    assert load.change is not None
+    assert dialog.problem.isHidden()
+    shown = {row.key: row.cells for row in dialog.table.rows}
+    assert len(shown) == 9
+    assert "%" in shown["heel"][1]
+    assert "…" in shown["heel"][2]
+    assert all("%" in cells[2] or cells[1] == "cannot tell" for cells in shown.values())
+    for view in (stage.insole, stage.foot):
+        assert view.numbers.text() == SENTENCE
+    assert app.window.actions_by_key["map_load"].isChecked()
+
+    before = load.change
+    (pad,) = app.case.record.design.of(Pelott)
+    higher = app.case.record.design.with_changed(replace(pad, height_mm=pad.height_mm + 3))
+    app.case.preview(higher)  # as at a drag
+    settle()
+    assert load.change is not before
+    assert load.limits is None  # only once the hand rests
+    assert {row.cells[1] for row in dialog.table.rows} == {"…"}
+    apex = np.array(pad.centre_mm)
+    pressed = [
+        float(replace(one.sole.field, heights_mm=one.new_kpa).height_at(apex))
+        for one in (before, load.change)
+    ]
+    assert pressed[1] > pressed[0]
+    app.case.end_preview()
+    settle()
+    assert load.limits is not None
+
+    dialog.reject()
+    settle()
+    assert load.change is None
+    assert app.features.design.side_by_side.map_kind is MapKind.NONE
+    assert app.window.actions_by_key["map_none"].isChecked()
+    act(app, "map_load")
+    (again,) = (one for one in app.window.findChildren(LoadDialog) if one.isVisible())
+    assert again.is_read
+    act(app, "new_case")
+    settle()
+    assert load.change is None
+    assert not any(one.isVisible() for one in app.window.findChildren(LoadDialog))
