@@ -46,7 +46,7 @@ def ours(thickness_mm: float = 7.0):
 def made(scan: Path, tmp_path: Path, *options: str) -> trimesh.Trimesh:
     out = tmp_path / "i.stl"
     assert run(["design", str(scan), "--side", "left", "--out", str(out), *options]) == 0
-    return trimesh.load_mesh(out)
+    return trimesh.load_mesh(out, process=False)
 
 
 def last_line(capsys: pytest.CaptureFixture[str]) -> str:

@@ -17,7 +17,7 @@ PRINTED = printed_commands()
 
 def parser_of(words: list[str]) -> tuple[argparse.ArgumentParser, list[str]]:
     """Return the parser of the command that words begin with, and the words behind it."""
-    parser, left = command_parser(), list(words)
+    parser, left = command_parser(words), list(words)
     while left:
         subs = [a for a in parser._actions if isinstance(a, argparse._SubParsersAction)]
         if not subs or left[0] not in subs[0].choices:
@@ -33,7 +33,7 @@ def complete(one: Printed) -> bool:
 
 def is_understood(one: Printed) -> bool:
     try:
-        command_parser().parse_args(one.words)
+        command_parser(one.words).parse_args(one.words)
     except SystemExit as ended:
         return ended.code == 0
     return True
