@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import builtins
 import string
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -117,20 +117,54 @@ def speaking_files() -> list[Path]:
     ]
 
 
+class Text(NamedTuple):
+    """A text that reads like a sentence."""
+
+    words: str
+    is_f_string: bool
+
+
+class Read(NamedTuple):
+    """What is looked for in a file; all syntax trees together would take 200 MB."""
+
+    classes: tuple[tuple[str, set[str]], ...]
+    """Names, each with those of its bases."""
+    calls: tuple[tuple[str, Said], ...]
+    """What may say something, by the name of what is called."""
+    prose: dict[str, Text]
+    """Texts that read like a sentence, by their place; of files without prose, none."""
+    constants: set[str]
+
+
 @cache
-def trees() -> dict[Path, ast.Module]:
-    """Parse all of them, once."""
-    return {path: ast.parse(path.read_text("utf-8")) for path in speaking_files()}
+def files() -> dict[Path, Read]:
+    """Read all of them, once."""
+    prose = set(in_prose())
+    return {path: read(path, path in prose) for path in speaking_files()}
+
+
+def read(path: Path, is_prose: bool) -> Read:
+    tree = ast.parse(path.read_text("utf-8"))
+    nodes = list(ast.walk(tree))
+    texts = texts_of(tree) if is_prose else ()
+    return Read(
+        tuple((node.name, bases(node)) for node in nodes if isinstance(node, ast.ClassDef)),
+        tuple(calls_in(path, nodes)),
+        {
+            f"{path}:{node.lineno}:{node.col_offset}": text
+            for node in texts
+            if (text := sentence_of(node)).words
+        },
+        {n.value for n in nodes if isinstance(n, ast.Constant) and isinstance(n.value, str)},
+    )
 
 
 @cache
 def names_of_errors() -> set[str]:
     """Name `InsoleError` and all classes that come of it."""
-    classes = [
-        n for tree in trees().values() for n in ast.walk(tree) if isinstance(n, ast.ClassDef)
-    ]
+    classes = [each for file in files().values() for each in file.classes]
     found = {"InsoleError"}
-    while more := {c.name for c in classes if found & bases(c)} - found:
+    while more := {name for name, bases in classes if found & bases} - found:
         found |= more
     return found
 
@@ -158,18 +192,21 @@ class Said(NamedTuple):
 
 @cache
 def all_said() -> tuple[Said, ...]:
-    return tuple(said for path, tree in trees().items() for said in said_in(path, tree))
-
-
-def said_in(path: Path, tree: ast.Module) -> Iterator[Said]:
     speaking = {"step", "fail", "Message", *names_of_errors()}
-    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+    calls = [call for file in files().values() for call in file.calls]
+    return tuple(said for name, said in calls if name in speaking)
+
+
+def calls_in(path: Path, nodes: Iterable[ast.AST]) -> Iterator[tuple[str, Said]]:
+    """Find the calls that say something, if what they call is an error or a message."""
+    for call in (node for node in nodes if isinstance(node, ast.Call)):
         name = getattr(call.func, "id", getattr(call.func, "attr", ""))
-        place = 1 if name in ("step", "fail") else 0
-        if name in speaking and len(call.args) > place:
+        is_step = name in ("step", "fail")
+        place = 1 if is_step else 0
+        if (is_step or name[:1].isupper()) and len(call.args) > place:
             keys = {key.arg for key in call.keywords}
             where = f"{path.name}:{call.lineno}"
-            yield Said(where, call.args[place], {k for k in keys if k}, None in keys)
+            yield name, Said(where, call.args[place], {k for k in keys if k}, None in keys)
 
 
 def holes(template: str) -> set[str]:
@@ -184,9 +221,8 @@ def is_finished(node: ast.expr) -> bool:
     )
 
 
-def texts_of(path: Path) -> Iterator[ast.Constant | ast.JoinedStr]:
+def texts_of(tree: ast.Module) -> Iterator[ast.Constant | ast.JoinedStr]:
     """Find the texts of a file that are no documentation, f-strings as one."""
-    tree = trees()[path]
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     silent |= {id(part) for part in parts_of_f_strings(tree)} | {
         id(text) for text in told_to_programmers(tree)
@@ -215,31 +251,27 @@ def told_to_programmers(tree: ast.AST) -> Iterator[ast.AST]:
                 yield from node.args
 
 
-def sentence_of(node: ast.Constant | ast.JoinedStr) -> str:
+def sentence_of(node: ast.Constant | ast.JoinedStr) -> Text:
     """Give the fixed words of a text if there are four or more, as in a sentence; else nothing."""
     parts = node.values if isinstance(node, ast.JoinedStr) else [node]
     words = "".join(str(p.value) if isinstance(p, ast.Constant) else " " for p in parts)
     is_text = isinstance(node, ast.JoinedStr) or isinstance(node.value, str)
-    return words if is_text and len(words.split()) > 3 else ""
+    is_sentence = is_text and len(words.split()) > 3
+    return Text(words if is_sentence else "", isinstance(node, ast.JoinedStr))
 
 
 def in_prose() -> list[Path]:
     papers = {CORE / name for name in PAPERS}
-    acquisition = [path for path in trees() if STUDIO / "acquisition" in path.parents]
+    spoken = speaking_files()
+    acquisition = [path for path in spoken if STUDIO / "acquisition" in path.parents]
     papers |= set((CORE / "records" / "migrations").rglob("*.py"))  # which speak SQL
     papers |= {CORE / "records" / name for name in ("marks.py", "schema.py")}  # reasons to keep
-    return [path for path in trees() if CORE in path.parents and path not in papers] + acquisition
+    return [path for path in spoken if CORE in path.parents and path not in papers] + acquisition
 
 
-@cache
-def prose() -> dict[str, ast.Constant | ast.JoinedStr]:
-    """Find the texts that read like a sentence, and where they are."""
-    return {
-        f"{path}:{node.lineno}:{node.col_offset}": node
-        for path in in_prose()
-        for node in texts_of(path)
-        if sentence_of(node)
-    }
+def prose() -> dict[str, Text]:
+    """Give the texts that read like a sentence, by where they are."""
+    return {where: text for file in files().values() for where, text in file.prose.items()}
 
 
 def test_sentences_are_found_where_they_are_said() -> None:
@@ -252,7 +284,8 @@ def test_no_sentence_is_finished_before_it_is_a_message() -> None:
 
 
 def test_no_sentence_is_put_together_elsewhere() -> None:
-    assert [where for where, node in prose().items() if isinstance(node, ast.JoinedStr)] == []
+    assert prose()
+    assert [where for where, text in prose().items() if text.is_f_string] == []
 
 
 def test_every_message_has_a_swedish_one() -> None:
@@ -261,7 +294,7 @@ def test_every_message_has_a_swedish_one() -> None:
 
 
 def test_every_other_sentence_has_a_swedish_one() -> None:
-    assert sorted({sentence_of(node) for node in prose().values()} - set(CATALOGUE)) == []
+    assert sorted({text.words for text in prose().values()} - set(CATALOGUE)) == []
 
 
 def test_every_hole_has_its_value() -> None:
@@ -348,12 +381,7 @@ def words_of(found: Declared) -> Iterator[str]:
 
 
 def test_nothing_is_translated_that_nobody_says() -> None:
-    constants = {
-        node.value
-        for tree in trees().values()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Constant)
-    }
+    constants = {text for file in files().values() for text in file.constants}
     unused = CATALOGUE.keys() - constants - PUT_TOGETHER - STOCK - LIBRARY - MATERIALS
     unused -= PAPER_TEXTS | PRESCRIBED | SHOES
     assert sorted(text for text in unused if not text.startswith("{part_")) == []
