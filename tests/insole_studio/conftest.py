@@ -7,6 +7,7 @@ import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator
 from functools import cache, partial
+from inspect import Parameter, signature
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,6 +17,7 @@ import pytest
 from canned_questions import CannedQuestions
 from found_once import SharedResults, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
+from one_window import OneWindow
 from postgres_server import PostgresServer, binaries, running_server
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
@@ -27,6 +29,7 @@ from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records import records as open_module
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application, qt_application
@@ -40,6 +43,7 @@ from insole_studio.user_paths import UserPaths
 from tests.patience import PATIENCE_MS
 
 LENGTH_MM = 250.0
+COARSE_MM = 2.0
 MAKE_FILE = open_module._make_file
 
 
@@ -131,8 +135,8 @@ def quick_passphrases(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(autouse=True)
-def no_leaks() -> Iterator[None]:
-    """No widget and no thread survives its test."""
+def no_leaks(shared_window: OneWindow | None) -> Iterator[None]:
+    """No widget and no thread survives its test, but for a window that its module shares."""
     before = set(threading.enumerate())
     gc.collect()  # else the freeze keeps forever what the test before has left in a cycle
     gc.freeze()  # what was there before need not be looked through again: collecting is quick
@@ -143,12 +147,18 @@ def no_leaks() -> Iterator[None]:
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        widgets = QApplication.topLevelWidgets()
+        widgets = [
+            widget
+            for widget in QApplication.topLevelWidgets()
+            if shared_window is None or not shared_window.holds(widget)
+        ]
         names = [f"{type(widget).__name__} {widget.windowTitle()!r}" for widget in widgets]
         for widget in widgets:  # so that what one test leaves is not told by each after it
             widget.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         assert names == []
+    if shared_window is not None:  # its threads end with it
+        return
     left = [thread.name for thread in set(threading.enumerate()) - before if thread.is_alive()]
     assert [name for name in left if name.startswith("studio-job")] == []
 
@@ -177,6 +187,19 @@ def undrawn(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> 
         monkeypatch.setattr(ImageCanvas, "render_now", aim_only)
 
 
+@pytest.fixture
+def coarse(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let designs begin with a coarse grid, unless a test is marked as fine: a quarter of the work.
+
+    It is the coarsest of which no check warns. What a window does with an insole is the same.
+    """
+    if request.node.get_closest_marker("fine") is None:
+        begun, given = InsoleDesign.__init__, signature(InsoleDesign).parameters.values()
+        defaults = {p.name: p.default for p in given if p.default is not Parameter.empty}
+        defaults["grid_mm"] = COARSE_MM
+        monkeypatch.setattr(begun, "__defaults__", tuple(defaults.values()))
+
+
 def aim_only(canvas: ImageCanvas) -> None:
     """Do all of drawing but the pixels."""
     if canvas.plotter is not None and canvas.isVisible():
@@ -191,8 +214,30 @@ def swedish(qapp: QApplication) -> Iterator[Callable[[str], str]]:
     load_language(qapp, "en")
 
 
+@pytest.fixture(scope="module")
+def one_window(tmp_path_factory: pytest.TempPathFactory) -> Iterator[OneWindow]:
+    """The window of all tests of a module that are marked to share it."""
+    window = OneWindow(tmp_path_factory.mktemp("window"))
+    yield window
+    window.close()
+
+
 @pytest.fixture
-def paths(tmp_path: Path) -> UserPaths:
+def shared_window(request: pytest.FixtureRequest, one_window: OneWindow) -> OneWindow | None:
+    """The window of the module, for a test that shares it; for another one it is closed."""
+    marks, used = {mark.name for mark in request.node.iter_markers()}, set(request.fixturenames)
+    # What draws, or speaks another language, does so from its start.
+    is_alone = marks & {"own_window", "drawn"} or "swedish" in used
+    if "one_window" in marks and "app" in used and not is_alone:
+        return one_window
+    one_window.close()
+    return None
+
+
+@pytest.fixture
+def paths(tmp_path: Path, shared_window: OneWindow | None) -> UserPaths:
+    if shared_window is not None:
+        return shared_window.paths
     return UserPaths(tmp_path / "config" / "settings.json", tmp_path / "data" / "autosave")
 
 
@@ -213,9 +258,18 @@ def questions() -> CannedQuestions:
 
 @pytest.fixture
 def app(
-    qapp: QApplication, qtbot: QtBot, paths: UserPaths, questions: CannedQuestions
+    qapp: QApplication,
+    qtbot: QtBot,
+    paths: UserPaths,
+    questions: CannedQuestions,
+    shared_window: OneWindow | None,
+    coarse: None,
 ) -> Iterator[Application]:
     """The whole application on an empty case, shown."""
+    if shared_window is not None:
+        yield shared_window.take(questions)
+        shared_window.put_back()
+        return
     built = build_application(qapp, paths)
     built.services.messages.questions = questions  # type: ignore[assignment]
     built.window.resize(960, 640)  # fewer pixels for the software renderer
@@ -229,7 +283,7 @@ def app(
 
 
 @pytest.fixture
-def hands(qapp: QApplication, paths: UserPaths) -> Iterator[Hands]:
+def hands(qapp: QApplication, paths: UserPaths, coarse: None) -> Iterator[Hands]:
     """A user before the empty window."""
     if MANUAL:  # its folder is named after its language, but for the English one
         language = "sv" if Path(MANUAL).name == "sv" else "en"

@@ -27,6 +27,8 @@ from insole_studio.features.design.tools.key_point_tool import shown_points
 from insole_studio.widgets.form_parts import ComboBox, Fold
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.one_window
+
 Settle = Callable[[], None]
 
 

@@ -22,7 +22,7 @@ from insole_studio.features.design.devices.devices_view import DevicesView
 from insole_studio.widgets.form_parts import ComboBox, LinkLabel
 from insole_studio.widgets.number_field import NumberField
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 
 def act(app: Application, key: str) -> None:

@@ -37,7 +37,7 @@ from insole_studio.services.questions import SameSide
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.elided_label import ElidedLabel
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 LEFT_BUTTON = Qt.MouseButton.LeftButton
 Settle = Callable[[], None]

@@ -24,6 +24,8 @@ from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_studio.app.bootstrap import Application
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.one_window
+
 INK_AT = (-10.0, 150.0)
 
 

@@ -46,6 +46,8 @@ from insole_studio.features.capture.rows import CaptureRow, SensorRow
 from insole_studio.features.capture.view import CaptureView
 from insole_studio.services.questions import Questions
 
+pytestmark = pytest.mark.one_window
+
 MARK = "EVIL"
 STEERING = "\x1b[2J\u202egnp\x9b"
 """What turns the direction of writing, or steers a terminal that a text is copied to."""

@@ -29,6 +29,8 @@ from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
 from tests.patience import PATIENCE_S
 
+pytestmark = pytest.mark.one_window
+
 MIDDLE, RIGHT = Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton
 
 

@@ -21,7 +21,7 @@ from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 RIGHT = Qt.MouseButton.RightButton
 

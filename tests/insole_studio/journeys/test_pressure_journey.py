@@ -14,6 +14,7 @@ from PIL import Image
 from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan_source import ScanSource
@@ -27,6 +28,8 @@ from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog, PressureDialog
 from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
+
+pytestmark = pytest.mark.one_window
 
 Settle = Callable[[], None]
 
@@ -106,6 +109,7 @@ def notices(app: Application) -> list[str]:
     return [notice.key for notice in app.services.notices.notices]
 
 
+@pytest.mark.own_window  # a map that was chosen stays so without a foot, where none can be chosen
 @pytest.mark.parametrize("way", ["undo", "remove", "new case"])
 def test_what_was_doubtful_about_a_map_ends_with_it(
     opened: Application, questions: CannedQuestions, settle: Settle, tmp_path: Path, way: str
@@ -253,11 +257,12 @@ def test_a_foot_changed_while_its_map_is_aligned_stays(
     assert "lay it again" in told.text()
 
 
-def test_another_map_of_a_file_is_shown(opened: Application, tmp_path: Path) -> None:
+def test_another_map_of_a_file_is_shown(opened: Application, qtbot: QtBot, tmp_path: Path) -> None:
     (long,) = read_pressure(written_plate(opened, tmp_path / "plate.csv"))
     long = replace(long, values=np.repeat(long.values, 3, axis=0))
     short = replace(long, values=long.values[:1])
-    dialog = PressureDialog("plates.csv", (long, short), opened.window)
+    dialog = PressureDialog("plates.csv", (long, short), None)
+    qtbot.addWidget(dialog)
     pick(dialog.kind, "frame")
     dialog.frame.setValue(3)
     pick(dialog.which, "1")

@@ -43,7 +43,7 @@ from insole_studio.widgets.number_field import NumberField, SliderField
 from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.tab_order import tab_stops
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 
 def act(app: Application, key: str) -> None:

@@ -20,7 +20,7 @@ from insole_core.insole.primitives.height_field import heads_ahead
 from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 
 @pytest.fixture(params=["left", "right"])

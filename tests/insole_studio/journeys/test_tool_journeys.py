@@ -33,7 +33,7 @@ from insole_studio.scene.scene_view import ORBIT_DEG_PER_PX, SceneView
 from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 USUAL_MM = load_rules().pelott_usual_behind_heads_mm
 

@@ -23,6 +23,8 @@ from insole_studio.app.theme import apply_theme
 from insole_studio.features.foot.view import FootStageView
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.one_window
+
 SMALL = (1366, 728)
 
 

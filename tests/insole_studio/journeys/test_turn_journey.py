@@ -18,7 +18,7 @@ from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset
 from insole_studio.widgets.number_field import NumberField
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 
 @pytest.fixture

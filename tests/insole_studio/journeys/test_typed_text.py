@@ -45,7 +45,7 @@ from insole_studio.services.questions import Answer
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.number_field import NumberField
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 KEY, CTRL = Qt.Key, Qt.KeyboardModifier.ControlModifier
 NONE = Qt.KeyboardModifier.NoModifier
@@ -131,16 +131,21 @@ FIELDS: dict[str, tuple[str, Callable[[CaseRecord], object], object]] = {
 }
 
 
-@pytest.fixture(params=FIELDS)
-def typed(saved: Application, request: pytest.FixtureRequest) -> Callable[[], bool]:
-    """A field into which something is typed; tells whether the case has it."""
-    text, value_of, value = FIELDS[request.param]
-    is_number = "." in request.param
-    type_into(
-        number(saved, request.param) if is_number else patient_field(saved, request.param), text
-    )
-    assert value_of(saved.case.record) != value
-    return lambda: value_of(saved.case.record) == value
+def typed_each(app: Application, *keys: str) -> Iterator[Callable[[], bool]]:
+    """Type into all fields, or those named; yields, after each, what tells whether the case has it.
+
+    What a turn to something else has done to the case is undone before the next field.
+    """
+    at_hand = app.case.side
+    for key in keys or FIELDS:
+        text, value_of, value = FIELDS[key]
+        is_number = "." in key
+        type_into(number(app, key) if is_number else patient_field(app, key), text)
+        assert value_of(app.case.record) != value, key
+        yield lambda value_of=value_of, value=value: value_of(app.case.record) == value
+        while app.case.history.undo_sentence:
+            app.case.undo()
+        app.case.take_foot(at_hand)
 
 
 def toolbar_button(app: Application, key: str) -> QWidget:
@@ -171,90 +176,94 @@ def by_menu(app: Application) -> None:
 
 @pytest.mark.parametrize("save", [by_shortcut, by_toolbar, by_menu])
 def test_saving_saves_what_is_typed(
-    saved: Application, typed: Callable[[], bool], settle: Callable[[], None], save
+    saved: Application, settle: Callable[[], None], save: Callable[[Application], None]
 ) -> None:
-    save(saved)
-    settle()
-    assert typed()
-    assert not saved.window.isWindowModified()
-    assert read_case(saved.case.path).patient == saved.case.record.patient
-    assert read_case(saved.case.path).design == saved.case.record.design
+    for is_entered in typed_each(saved):
+        save(saved)
+        settle()
+        assert is_entered()
+        assert not saved.window.isWindowModified()
+        stored = read_case(saved.case.path)
+        assert stored.patient == saved.case.record.patient
+        assert stored.design == saved.case.record.design
 
 
-def test_closing_the_window_asks_about_what_is_typed(
-    saved: Application, typed: Callable[[], bool], questions
-) -> None:
+def test_closing_the_window_asks_about_what_is_typed(saved: Application, questions) -> None:
     questions.unsaved = Answer.CANCEL
-    saved.window.close()
-    assert questions.asked == ["unsaved"]
-    assert typed()
-    assert saved.window.isVisible()
+    for number_asked, is_entered in enumerate(typed_each(saved), start=1):
+        saved.window.close()
+        assert questions.asked == ["unsaved"] * number_asked
+        assert is_entered()
+        assert saved.window.isVisible()
 
 
+@pytest.mark.own_window  # for it ends
+@pytest.mark.parametrize("key", FIELDS)
 def test_quitting_by_key_saves_what_is_typed(
-    saved: Application, typed: Callable[[], bool], questions, settle: Callable[[], None]
+    saved: Application, questions, settle: Callable[[], None], key: str
 ) -> None:
+    is_entered = next(typed_each(saved, key))
     questions.unsaved = Answer.SAVE
     strike(saved.window, KEY.Key_Q, CTRL)
     settle()
     assert questions.asked == ["unsaved"]
-    assert typed()
+    assert is_entered()
     assert read_case(saved.case.path).patient == saved.case.record.patient
 
 
-def test_another_foot_leaves_what_is_typed_with_its_own(
-    saved: Application, typed: Callable[[], bool]
-) -> None:
+def test_another_foot_leaves_what_is_typed_with_its_own(saved: Application) -> None:
     other = saved.case.record.other
-    click(saved.stage.patient.sides.buttons[Side.RIGHT])
-    assert saved.case.side is Side.RIGHT
-    assert typed()
-    assert saved.case.record.current.design == other.design
+    for is_entered in typed_each(saved):
+        click(saved.stage.patient.sides.buttons[Side.RIGHT])
+        assert saved.case.side is Side.RIGHT
+        assert is_entered()
+        assert saved.case.record.current.design == other.design
 
 
-def test_another_variant_leaves_what_is_typed_with_its_own(
-    saved: Application, typed: Callable[[], bool]
-) -> None:
-    buttons = saved.stage.patient.variants.findChildren(QToolButton)
-    click(next(b for b in buttons if b.property("action") == "variant_duplicate"))
-    assert saved.case.record.current.chosen == "B"
-    assert typed()
-    assert all(
-        variant.design.thickness_mm == saved.case.record.design.thickness_mm
-        for variant in saved.case.record.current.variants
-    )
+def test_another_variant_leaves_what_is_typed_with_its_own(saved: Application) -> None:
+    for is_entered in typed_each(saved):
+        buttons = saved.stage.patient.variants.findChildren(QToolButton)
+        click(next(b for b in buttons if b.property("action") == "variant_duplicate"))
+        assert saved.case.record.current.chosen == "B"
+        assert is_entered()
+        assert all(
+            variant.design.thickness_mm == saved.case.record.design.thickness_mm
+            for variant in saved.case.record.current.variants
+        )
 
 
 def test_a_new_case_asks_about_what_is_typed_and_shows_none_of_it(
-    saved: Application, typed: Callable[[], bool], questions, settle: Callable[[], None]
+    saved: Application, questions, settle: Callable[[], None]
 ) -> None:
     questions.unsaved = Answer.SAVE
-    strike(saved.window, KEY.Key_N, CTRL)
-    settle()
-    assert questions.asked == ["unsaved"]
-    assert saved.case.record.patient == Patient()
-    assert patient_field(saved, "name").text() == ""
-    (saved_file,) = [Path(n) for n in saved.services.recent.names if n.endswith("anna.insole")]
-    saved.features.case_files.opener.open_path(saved_file)
-    settle()
-    assert typed()
+    for number_asked, is_entered in enumerate(typed_each(saved), start=1):
+        strike(saved.window, KEY.Key_N, CTRL)
+        settle()
+        assert questions.asked == ["unsaved"] * number_asked
+        assert saved.case.record.patient == Patient()
+        assert patient_field(saved, "name").text() == ""
+        (file,) = [Path(name) for name in saved.services.recent.names]
+        saved.features.case_files.opener.open_path(file)
+        settle()
+        assert is_entered()
 
 
-def test_the_list_of_corrections_keeps_what_is_typed(
-    saved: Application, typed: Callable[[], bool]
-) -> None:
-    buttons = saved.stage.patient.findChildren(QToolButton)
-    click(next(b for b in buttons if b.toolTip() == "Switch on or off" and b.isVisible()))
-    assert [c.enabled for c in saved.case.record.design.corrections] == [False]
-    assert typed()
+def test_the_list_of_corrections_keeps_what_is_typed(saved: Application) -> None:
+    for is_entered in typed_each(saved):
+        buttons = saved.stage.patient.findChildren(QToolButton)
+        click(next(b for b in buttons if b.toolTip() == "Switch on or off" and b.isVisible()))
+        assert [c.enabled for c in saved.case.record.design.corrections] == [False]
+        assert is_entered()
 
 
-def test_export_makes_what_is_typed(saved: Application, typed: Callable[[], bool]) -> None:
-    click(toolbar_button(saved, "export"))
-    stage = saved.features.export.stage
-    assert stage is not None
-    assert typed()
-    assert stage.presenter._record is saved.case.record
+def test_export_makes_what_is_typed(saved: Application) -> None:
+    for is_entered in typed_each(saved):
+        click(toolbar_button(saved, "export"))
+        stage = saved.features.export.stage
+        assert stage is not None
+        assert is_entered()
+        assert stage.presenter._record is saved.case.record
+        stage.close()
 
 
 def test_a_foot_that_arrives_leaves_what_is_typed(

@@ -29,6 +29,8 @@ from insole_studio.jobs import Jobs
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.one_window
+
 
 @pytest.fixture
 def view(opened: Application) -> SceneView:
@@ -227,6 +229,7 @@ def cut_labels(panel: QWidget) -> list[str]:
     ]
 
 
+@pytest.mark.own_window  # a panel of it gets a height that it keeps
 def test_all_warnings_are_reached_from_their_number(
     opened: Application, view: SceneView, settle: Callable[[], None]
 ) -> None:

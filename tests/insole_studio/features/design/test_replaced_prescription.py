@@ -20,6 +20,8 @@ from insole_core.workflows.starting_design import template_of
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.actions.prescription_actions import save_template
 
+pytestmark = pytest.mark.one_window
+
 SOURCE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 LIFT, POSTING = HeelLift(height_mm=6.0), Posting(rearfoot_deg=4.0)
 

@@ -34,6 +34,8 @@ from insole_studio.services.questions import Questions
 from insole_studio.settings import load_settings
 from insole_studio.widgets.form_parts import FieldsDialog
 
+pytestmark = pytest.mark.one_window
+
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 LEFT = Qt.MouseButton.LeftButton
 

@@ -27,6 +27,8 @@ from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
 from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow
 from insole_studio.jobs import Jobs
 
+pytestmark = pytest.mark.one_window
+
 
 class Intent:
     """A signal without Qt."""

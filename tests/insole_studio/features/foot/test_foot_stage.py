@@ -26,6 +26,8 @@ from insole_studio.features.foot.rows import Mark
 from insole_studio.features.foot.stage import FootStage
 from insole_studio.scene.view_camera import Preset
 
+pytestmark = pytest.mark.one_window
+
 LEFT = Qt.MouseButton.LeftButton
 
 
