@@ -223,25 +223,7 @@ def test_the_keys_of_the_manual_lead_where_it_says(
     assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
 
 
-def test_thickness_is_typed_whatever_is_selected(keyboard: Keyboard, small_session: Path) -> None:
-    case = keyboard.app.case
-    keyboard.answering_file(small_session)
-    keyboard.strike(KEY.Key_M, CTRL)
-    keyboard.wait_for(lambda: case.foot is not None)
-    keyboard.strike(KEY.Key_Return, CTRL)
-    keyboard.wait_for(lambda: _active() is keyboard.app.window)
-    for number, (tool, thickness) in enumerate(zip("OPUB", (4.5, 5.0, 5.5, 6.0), strict=True)):
-        keyboard.strike(getattr(KEY, f"Key_{tool}"))
-        if number == 1:
-            keyboard.strike(KEY.Key_Return)
-        keyboard.strike(KEY.Key_F2, SHIFT)
-        keyboard.type(f"{thickness:g}")
-        keyboard.strike(KEY.Key_Escape)
-        assert case.record.design is not None
-        assert (case.record.design.thickness_mm, case.record.design.grid_mm) == (thickness, 1.0)
-
-
-def test_tab_follows_the_meaning_and_the_grid_is_last(
+def test_tab_follows_the_meaning_and_thickness_is_typed_whatever_is_selected(
     keyboard: Keyboard, small_session: Path
 ) -> None:
     case = keyboard.app.case
@@ -267,6 +249,16 @@ def test_tab_follows_the_meaning_and_the_grid_is_last(
     expert = found.index("finish.toe_line_mm")
     assert found[expert - 1].startswith("outline.")
     assert found[-1] == "insole.grid_mm"
+
+    for number, (tool, thickness) in enumerate(zip("OPUB", (4.5, 5.0, 5.5, 6.0), strict=True)):
+        keyboard.strike(getattr(KEY, f"Key_{tool}"))
+        if number == 1:
+            keyboard.strike(KEY.Key_Return)
+        keyboard.strike(KEY.Key_F2, SHIFT)
+        keyboard.type(f"{thickness:g}")
+        keyboard.strike(KEY.Key_Escape)
+        assert case.record.design is not None
+        assert (case.record.design.thickness_mm, case.record.design.grid_mm) == (thickness, 1.0)
 
 
 def _only_pad(keyboard: Keyboard) -> Pelott:

@@ -22,6 +22,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import FootRecord, Variant
 from insole_core.cases.scan_source import ScanSource
+from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
@@ -34,6 +35,7 @@ from insole_core.workflows.clinic_devices import (
     clinic_devices,
     clinic_forms,
 )
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.case_names import choose_variant
 from insole_studio.features.design.devices.device_actions import DeviceActions
@@ -43,6 +45,9 @@ from insole_studio.widgets.number_field import NumberField, SliderField
 from insole_studio.widgets.rim_chart import RimChart
 from insole_studio.widgets.tab_order import tab_stops
 
+NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+MakeFoot = Callable[[Side], Foot]
+
 pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 
@@ -51,18 +56,15 @@ def act(app: Application, key: str) -> None:
 
 
 @pytest.fixture
-def designed(opened: Application, settle: Callable[[], None]) -> Application:
+def designed(app: Application, settle: Callable[[], None], make_foot: MakeFoot) -> Application:
     """The left foot with the device of the product, and the rim tool taken."""
-    act(opened, "choose_device")
-    view = opened.features.design.devices.view
-    assert view is not None
-    view.search.setText("eva full")
-    QTest.keyClick(view.search, Qt.Key.Key_Return)
+    foot = make_foot(Side.LEFT)
+    device = starting_device(app.services.paths.settings_folder)
+    app.case.open_foot(foot, NOWHERE, device.design(foot))
+    act(app, "tool_rim")
     settle()
-    act(opened, "tool_rim")
-    settle()
-    assert opened.stage.rim_model.curve is not None
-    return opened
+    assert app.stage.rim_model.curve is not None
+    return app
 
 
 @pytest.fixture
