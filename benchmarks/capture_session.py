@@ -35,8 +35,10 @@ from insole_studio.acquisition.capture_runner import (
 )
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM, CaptureSetup
 from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.messages import CapturePhase, CaptureStatus
-from insole_studio.acquisition.rig import OpenSensor, Rig
+from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_port import OpenSensor
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
@@ -85,7 +87,7 @@ def wait_until_live(sensors: dict[str, OpenSensor]) -> None:
     while time.monotonic() < end:
         for sensor in sensors.values():
             sensor.poll_depth()
-            sensor.poll_color()
+            sensor.poll_video()
         time.sleep(0.005)
 
 
@@ -96,7 +98,7 @@ def capture_s(
     kinects = [
         EmulatedKinect(Model.XBOX_1414, serial, TYPICAL_CALIBRATION, played) for _, serial in VIEWS
     ]
-    rig = Rig(UsbBus(EmulatedBus(kinects)))
+    rig = Rig(KinectPort(UsbBus(EmulatedBus(kinects))))
     system = load_reference_system(resource_path(DEFAULT_SYSTEM))
     manifest = Manifest("2026-11-20T10:00:00+00:00", Side.LEFT, system, ())
     plan = make_plan(VIEWS, frames=FRAMES, simultaneous=simultaneous)

@@ -13,7 +13,8 @@ from insole_core.records.author import Author
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import open_records
 from insole_studio import log_file
-from insole_studio.acquisition.driver_values import SensorError, translating
+from insole_studio.acquisition.driver_values import translating
+from insole_studio.acquisition.sensor_port import SensorError
 from insole_studio.cli.main import run
 from insole_studio.log_file import FILES, log_to
 from kinect_v1.errors import KinectError

@@ -14,11 +14,17 @@ from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, Shot
 from insole_studio.acquisition.capture_setup import Calibrated, CaptureSetup
 from insole_studio.acquisition.draft import Draft, ViewFacts
-from insole_studio.acquisition.driver_values import BusFullError, SensorError
 from insole_studio.acquisition.light import judge_light
-from insole_studio.acquisition.messages import CapturePhase, CaptureStatus, ViewStatus
-from insole_studio.acquisition.rig import ColorSize, OpenSensor, Rig
-from insole_studio.acquisition.view_frames import Beginning, Series, poll_depth
+from insole_studio.acquisition.messages import Capability, CapturePhase, CaptureStatus, ViewStatus
+from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_port import (
+    BusFullError,
+    ColorSize,
+    OpenSensor,
+    SensorError,
+    require,
+)
+from insole_studio.acquisition.view_frames import Beginning, Series
 
 _POLL_S = 0.002
 _IN_FLIGHT_S = 2 / 30
@@ -170,6 +176,8 @@ class CaptureRunner:
 
     def _tilts_before(self) -> dict[str, float]:
         tilted = {shot.serial for shot in self._plan.shots if shot.tilt_deg}
+        for serial in sorted(tilted):
+            require(self._sensors[serial], Capability.TILT)
         return {serial: self._sensors[serial].tilt_deg() for serial in sorted(tilted)}
 
     def _take(self, step: CaptureStep, tilts: dict[str, float]) -> None:
@@ -247,21 +255,20 @@ class CaptureRunner:
     def _advance(self, series: Series) -> bool:
         """Process what one sensor has delivered; return whether it delivered anything."""
         view, serial = series.shot.view, series.shot.serial
-        came = poll_depth(series.sensor)
-        if came is not None:
-            image, time_s = came
-            self._callbacks.show(serial, image)
-            for index, used in series.take_depth(image, time_s):
+        depth = series.sensor.poll_depth()
+        if depth is not None:
+            self._callbacks.show(serial, depth.image)
+            for index, used in series.take_depth(depth.image, depth.time_s):
                 self._draft.add_depth(view, index, used)
             self._views[view] = series.status()
-        frame = series.sensor.poll_color()
-        if frame is not None and series.wants_color(frame.host_time_s):
-            picture = series.sensor.color_picture(frame)
+        video = series.sensor.poll_video()
+        if video is not None and series.wants_color(video.time_s):
+            picture = video.picture()
             self._callbacks.show(serial, picture)
             series.light = judge_light(picture)
             self._draft.add_color(view, series.color_count, picture)
             series.color_count += 1
-        return came is not None
+        return depth is not None
 
     def _finish(self, series: Series) -> None:
         view = series.shot.view

@@ -20,6 +20,7 @@ from insole_studio.acquisition.messages import (
     ALIVE_PERIOD_S,
     Alive,
     Cancel,
+    Capability,
     CapturePhase,
     CaptureStatus,
     Command,
@@ -33,6 +34,7 @@ from insole_studio.acquisition.messages import (
     Start,
     Tilt,
 )
+from insole_studio.acquisition.sensor_port import require
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.shared_frame_buffer import SharedFrameBuffer
 from insole_studio.log_file import log_to
@@ -157,7 +159,9 @@ class _Service:
             elif isinstance(command, Tilt):
                 self._tilt(command)
             elif isinstance(command, Identify):
-                self._live.opened[command.serial].blink(command.on)
+                sensor = self._live.opened[command.serial]
+                require(sensor, Capability.BLINK)
+                sensor.blink(command.on)
             elif isinstance(command, Infrared):
                 self._live.watch_infrared(command.serial, command.on)
             elif isinstance(command, Quit):
@@ -173,6 +177,7 @@ class _Service:
 
     def _tilt(self, command: Tilt) -> None:
         sensor = self._live.opened[command.serial]
+        require(sensor, Capability.TILT)
         if command.by_deg is not None:
             sensor.tilt_to(sensor.tilt_deg() + command.by_deg)
             return

@@ -17,7 +17,7 @@ from insole_core.recording.session import ReferenceSystem, Session
 from insole_core.resources import resource_path
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import view_faces
-from insole_studio.acquisition.rig import OpenSensor
+from insole_studio.acquisition.sensor_port import OpenSensor
 
 DEFAULT_SYSTEM = "reference_systems/lego-20.json"
 SYSTEM_FOR_BOTH = "reference_systems/lego-40.json"

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
-from insole_core.errors import InsoleError
 from insole_core.sensing.disparity import FactoryDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor, nominal_kinect
+from insole_studio.acquisition.sensor_port import BusFullError, NoSensorFoundError, SensorError
 from kinect_v1.calibration import Calibration
 from kinect_v1.errors import BandwidthError, KinectError, NoSensorError
 
@@ -86,18 +86,6 @@ def resized_camera(camera: PinholeCamera, size: tuple[int, int]) -> PinholeCamer
         cx=(camera.cx + 0.5) * scale - 0.5,
         cy=(camera.cy + 0.5) * scale - 0.5 - cut,
     )
-
-
-class SensorError(InsoleError):
-    """A sensor is missing, cannot be used, or stopped working."""
-
-
-class NoSensorFoundError(SensorError):
-    """No sensor is plugged in, or not the requested one."""
-
-
-class BusFullError(SensorError):
-    """The USB controller cannot carry another stream."""
 
 
 _KINDS: tuple[tuple[type[KinectError], type[SensorError]], ...] = (

@@ -7,14 +7,11 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_studio.acquisition.capture_plan import MOST_SENSORS
-from insole_studio.acquisition.driver_values import SensorError
-from insole_studio.acquisition.messages import Sensors, SensorState
-from insole_studio.acquisition.rig import OpenSensor, Rig, infrared_picture, raw_image
+from insole_studio.acquisition.messages import Capability, Sensors, SensorState
+from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_port import OpenSensor, Place, SensorError, require
 
 _RATE_FRAMES = 16
 
@@ -34,7 +31,7 @@ class LiveSensors:
         self._states: dict[str, SensorState] = {}
         self._times: dict[str, deque[float]] = {}
         self._problem: str | None = None
-        self._places: frozenset[tuple[int, int]] = frozenset()
+        self._places: frozenset[Place] = frozenset()
         self._infrared: set[str] = set()
         self.opened: dict[str, OpenSensor] = {}
 
@@ -71,6 +68,7 @@ class LiveSensors:
             self._note(serial, None)
             try:
                 if serial in self._infrared:
+                    require(sensor, Capability.INFRARED)
                     sensor.start_infrared()
                 else:
                     sensor.start()
@@ -125,27 +123,28 @@ class LiveSensors:
         self._states[serial] = SensorState(serial, model, bus, slot)
         self._times[serial] = deque(maxlen=_RATE_FRAMES)
         try:
-            self.opened[serial] = self._rig.open(serial)
+            opened = self.opened[serial] = self._rig.open(serial)
         except SensorError as error:
             self._note(serial, str(error))
+            return
+        can = opened.capabilities
+        self._states[serial] = replace(self._states[serial], capabilities=can)
 
     def _advance(self, sensor: OpenSensor) -> bool:
         serial = sensor.serial
         try:
-            depth, color = sensor.poll_depth(), sensor.poll_color()
+            depth, video = sensor.poll_depth(), sensor.poll_video()
         except SensorError as error:
             self._note(serial, str(error))
             self._close(serial)
             return False
         if depth is not None:
-            self.show(serial, raw_image(depth))
+            self.show(serial, depth.image)
             state = self._states[serial]
             self._states[serial] = replace(state, discarded=depth.discarded)
-        if color is not None:
-            infrared = infrared_picture(color)
-            picture = preview(color.image) if infrared is None else infrared
-            self._show(self._states[serial].slot, picture)
-        return depth is not None or color is not None
+        if video is not None:
+            self._show(self._states[serial].slot, video.preview())
+        return depth is not None or video is not None
 
     def _state(self, serial: str) -> SensorState:
         opened = self.opened.get(serial)
@@ -167,11 +166,6 @@ class LiveSensors:
             sensor.close()
         except SensorError as error:
             self._note(serial, str(error))
-
-
-def preview(mosaic: NDArray[np.uint8]) -> ByteArray:
-    """Return a colour picture of half the size: each square of a Bayer mosaic is one pixel."""
-    return np.stack([mosaic[0::2, 1::2], mosaic[0::2, 0::2], mosaic[1::2, 0::2]], axis=-1)
 
 
 def _free_slot(taken: Iterable[int]) -> int | None:

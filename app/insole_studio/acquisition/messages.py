@@ -16,6 +16,17 @@ may begin earlier.
 """
 
 
+class Capability(Enum):
+    """What not every family of sensors can do."""
+
+    TILT = "tilt"
+    """It has a motor, and knows where down is."""
+    BLINK = "blink"
+    """It has a light that can blink."""
+    INFRARED = "infrared"
+    """It sends infrared pictures in the place of colour."""
+
+
 @dataclass(frozen=True)
 class DetectedSensor:
     """A sensor that is plugged in.
@@ -194,6 +205,8 @@ class SensorState:
         How long it has been on.
     problem
         Why it sends nothing, in one sentence; None if it does.
+    capabilities
+        What it can do beyond depth and colour; as long as it could not be opened, nothing.
     """
 
     serial: str
@@ -204,6 +217,7 @@ class SensorState:
     discarded: int = 0
     warm_s: float = 0.0
     problem: str | None = None
+    capabilities: frozenset[Capability] = frozenset()
 
     @property
     def phase(self) -> CapturePhase:

@@ -1,45 +1,17 @@
-"""The sensors of this computer, or emulated ones; converts the driver's values to the core's."""
+"""The sensors of this computer, of all families, or emulated ones."""
 
 from __future__ import annotations
 
-import math
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from types import TracebackType
-from typing import Self
+from itertools import chain
 
-import numpy as np
-
-from insole_core.geometry.arrays import ByteArray, RawArray
-from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.driver_values import (
-    NoSensorFoundError,
-    SensorError,
-    factory_sensor,
-    translating,
-)
 from insole_studio.acquisition.messages import DetectedSensor
-from insole_studio.acquisition.warm_up import WarmUps
-from kinect_v1.errors import KinectError
-from kinect_v1.kinect_camera import CameraSettings, KinectCamera, open_camera
-from kinect_v1.modes import BAYER_640, BAYER_1280, IR_640, StreamMode
-from kinect_v1.motor import Led, Posture
-from kinect_v1.pixels import demosaic
-from kinect_v1.sensors import SensorInfo, list_sensors
-from kinect_v1.streams import Frame, Stream
-from kinect_v1.usb_bus import UsbBus
-
-ColorSize = tuple[int, int]
-FULL_COLOR: ColorSize = (1280, 1024)
-_MODES: dict[ColorSize, StreamMode] = {
-    (1280, 1024): BAYER_1280,
-    (1280, 960): BAYER_1280,
-    (640, 480): BAYER_640,
-}
-_SETTINGS = CameraSettings(watchdog_s=3.0)
-_TILT_LIMIT_S = 5.0
-_TILT_POLL_S = 0.1
+from insole_studio.acquisition.sensor_port import (
+    NoSensorFoundError,
+    OpenSensor,
+    Place,
+    SensorError,
+    SensorPort,
+)
 
 
 class Rig:
@@ -47,15 +19,12 @@ class Rig:
 
     Parameters
     ----------
-    bus
-        The computer's own bus, or an emulated one; the only difference between the two.
-    warm_ups
-        Of the sensors; by default they begin when a sensor is opened.
+    ports
+        One for each family of sensors, live or emulated; at least one.
     """
 
-    def __init__(self, bus: UsbBus, warm_ups: WarmUps | None = None) -> None:
-        self._bus = bus
-        self._warm_ups = warm_ups or WarmUps()
+    def __init__(self, *ports: SensorPort) -> None:
+        self._ports = ports
 
     def find(self) -> tuple[DetectedSensor, ...]:
         """List the sensors that are plugged in, without disturbing any.
@@ -63,24 +32,27 @@ class Rig:
         Raises
         ------
         SensorError
+            When a family cannot be looked for, and no other one has a sensor.
         """
-        with translating():
-            return tuple(_found(info) for info in list_sensors(self._bus))
+        found: list[DetectedSensor] = []
+        failures: list[SensorError] = []
+        for port in self._ports:
+            try:
+                found += port.find()
+            except SensorError as error:
+                failures.append(error)
+        if failures and not found:
+            raise failures[0]
+        return tuple(found)
 
-    def places(self) -> frozenset[tuple[int, int]]:
+    def places(self) -> frozenset[Place]:
         """Return where sensors are plugged in, without querying them; a replug changes it.
-
-        Returns
-        -------
-        frozenset of (int, int)
-            Bus and address.
 
         Raises
         ------
         SensorError
         """
-        with translating():
-            return self._bus.places()
+        return frozenset(chain.from_iterable(port.places() for port in self._ports))
 
     def require(self) -> tuple[DetectedSensor, ...]:
         """List the sensors that are plugged in, and raise if there are none.
@@ -104,277 +76,10 @@ class Rig:
         SensorError
             When it is not plugged in, has no power or no permission, or another program uses it.
         """
-        with translating():
-            return OpenSensor(open_camera(serial, _SETTINGS, self._bus), self._warm_ups)
-
-
-class OpenSensor:
-    """An open sensor. Close it, or use it as a context manager.
-
-    Attributes
-    ----------
-    bus
-        Number of its USB controller.
-    on_since_s
-        Since when it has been on, `time.monotonic()`; pauses are left out.
-    """
-
-    def __init__(self, camera: KinectCamera, warm_ups: WarmUps) -> None:
-        self.serial = camera.serial
-        self.model = camera.model.value
-        self.bus = camera.bus
-        self._place = (camera.bus, camera.address)
-        self._warm_ups = warm_ups
-        self.on_since_s = warm_ups.since_s(self.serial, self._place)
-        self._camera = camera
-        self._depth: Stream | None = None
-        self._color: Stream | None = None
-        self._color_size = FULL_COLOR
-        self._discarded = 0
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
-
-    def factory_sensor(self, faces: tuple[str, ...]) -> Sensor:
-        """Return the calibration stored in the device.
-
-        Parameters
-        ----------
-        faces
-            Marker groups that the sensor sees.
-        """
-        return factory_sensor(self._camera.calibration, self.serial, faces)
-
-    @property
-    def emits(self) -> bool:
-        """Whether its emitter is on."""
-        return self._depth is not None
-
-    def start(self, color_size: ColorSize = FULL_COLOR) -> None:
-        """Stream depth, which switches the emitter on, and colour; running streams continue.
-
-        Raises
-        ------
-        BusFullError
-            When its USB controller carries too much already.
-        SensorError
-        """
-        with translating():
-            self._start_video(_MODES[color_size])
-            self._color_size = color_size
-            self._start_depth()
-
-    def start_infrared(self) -> None:
-        """Stream infrared pictures instead of colour, and depth; `start` brings colour back.
-
-        Raises
-        ------
-        BusFullError
-            When its USB controller carries too much already.
-        SensorError
-        """
-        with translating():
-            self._start_video(IR_640)
-            self._start_depth()
-
-    def _start_video(self, mode: StreamMode) -> None:
-        if self._color is None or self._color.mode is not mode:
-            self._color = self._camera.start_video(mode)
-
-    def _start_depth(self) -> None:
-        if self._depth is None:
-            self._depth = self._camera.start_depth()
-
-    @property
-    def streams(self) -> bool:
-        """Whether depth and colour are streaming."""
-        return self._depth is not None and self._color is not None
-
-    @contextmanager
-    def reserving(self) -> Iterator[None]:
-        """Reserve the bandwidth of depth and colour within a context; switch nothing on.
-
-        Raises
-        ------
-        BusFullError
-            When its USB controller cannot carry them.
-        """
-        with translating(), self._camera.reserving():
-            yield
-
-    def stop_depth(self) -> None:
-        """Switch the emitter off.
-
-        Raises
-        ------
-        SensorError
-        """
-        self._discarded = self.discarded
-        self._depth = None
-        with translating():
-            self._camera.stop_depth()
-
-    def stop(self) -> None:
-        """Stop everything, which frees the controller's bandwidth.
-
-        Raises
-        ------
-        SensorError
-        """
-        self.stop_depth()
-        self._color = None
-        with translating():
-            self._camera.stop_video()
-
-    def poll_depth(self) -> Frame | None:
-        """Return the next depth frame if one is waiting.
-
-        Raises
-        ------
-        SensorError
-            When the sensor is lost or silent.
-        """
-        return _poll(self._depth)
-
-    def poll_color(self) -> Frame | None:
-        """Return the next colour frame if one is waiting; `color_picture` decodes it.
-
-        After `start_infrared` it is an infrared frame, which `infrared_picture` decodes.
-
-        Raises
-        ------
-        SensorError
-            When the sensor is lost or silent.
-        """
-        return _poll(self._color)
-
-    def color_picture(self, frame: Frame) -> ByteArray:
-        """Return the colour picture (height, width, 3) uint8, RGB, of a frame."""
-        return demosaic(_cropped(frame.image, self._color_size[1]))
-
-    @property
-    def discarded(self) -> int:
-        """Return the number of depth frames that arrived damaged since it was opened."""
-        return self._discarded + (self._depth.counts.discarded if self._depth is not None else 0)
-
-    def tilt_deg(self) -> float:
-        """Return the tilt relative to gravity.
-
-        Raises
-        ------
-        SensorError
-        """
-        return self._wait_until_still(lambda posture: not posture.moving).tilt_deg or 0.0
-
-    def tilt_to(self, tilt_deg: float) -> None:
-        """Tilt the sensor and wait until it stands still.
-
-        Raises
-        ------
-        SensorError
-        """
-        with translating():
-            self._camera.motor.set_tilt(tilt_deg)
-        self._wait_until_still(lambda posture: _arrived(posture, tilt_deg))
-
-    def roll_deg(self) -> float:
-        """Return the roll angle by the accelerometer, which the motor cannot correct.
-
-        Raises
-        ------
-        SensorError
-        """
-        with translating():
-            x, y, _z = self._camera.motor.posture().acceleration_g
-        return math.degrees(math.atan2(x, abs(y))) if x or y else 0.0
-
-    def _wait_until_still(self, is_still: Callable[[Posture], bool]) -> Posture:
-        limit_s = time.monotonic() + _TILT_LIMIT_S
-        with translating():
-            while True:
-                posture = self._camera.motor.posture()
-                if is_still(posture) or time.monotonic() > limit_s:
-                    return posture
-                time.sleep(_TILT_POLL_S)
-
-    def blink(self, on: bool) -> None:
-        """Make its LED blink, so that the user can identify the sensor, or light steadily.
-
-        Raises
-        ------
-        SensorError
-        """
-        with translating():
-            self._camera.motor.set_led(Led.BLINK_GREEN if on else Led.GREEN)
-
-    def keep_warm_up(self) -> None:
-        """Note how long it has been on, in case this process is killed."""
-        self._warm_ups.keep(self.serial, self._place, self.on_since_s)
-
-    def close(self) -> None:
-        """Stop everything and release the sensor, also when it has been unplugged.
-
-        Raises
-        ------
-        SensorError
-        """
-        self.keep_warm_up()
-        with translating():
-            self._camera.close()
-
-
-def _arrived(posture: Posture, tilt_deg: float) -> bool:
-    """Return whether a motor has stopped; if unknown, whether it is at its target."""
-    if posture.moving is not None:
-        return not posture.moving
-    return posture.tilt_deg is not None and abs(posture.tilt_deg - tilt_deg) < 1.0
-
-
-def _poll(stream: Stream | None) -> Frame | None:
-    if stream is None:
-        return None
-    frame = stream.poll()
-    if frame is None:
-        try:
-            stream.check()
-        except KinectError as error:
-            raise SensorError(str(error)) from error
-    return frame
-
-
-def _cropped(mosaic: ByteArray, height: int) -> ByteArray:
-    """Keep the middle rows; an even number is cut, so that the Bayer pattern stays the same."""
-    cut = (len(mosaic) - height) // 4 * 2
-    return np.ascontiguousarray(mosaic[cut : cut + height])
-
-
-def _found(info: SensorInfo) -> DetectedSensor:
-    model = info.model.value if info.model else None
-    return DetectedSensor(info.serial, model, info.bus, info.place, info.problem)
-
-
-def infrared_picture(frame: Frame) -> ByteArray | None:
-    """Return the infrared picture (480, 640) uint8 of a frame; None for a colour frame.
-
-    Of the 488 rows the upper 480 are kept, for which the known shift to the depth image holds. The
-    contrast is stretched from the darkest to the brightest pixel, because with the emitter covered
-    a board uses only a few of the ten bits.
-    """
-    if frame.mode is not IR_640:
-        return None
-    levels = frame.image[:480].astype(float)
-    darkest = levels.min()
-    return ((levels - darkest) * (255 / max(levels.max() - darkest, 1.0))).astype(np.uint8)
-
-
-def raw_image(frame: Frame) -> RawArray:
-    """Return the raw numbers (480, 640) uint16 of a depth frame."""
-    return np.asarray(frame.image, np.uint16)
+        *others, last = self._ports
+        for port in others:
+            try:
+                return port.open(serial)
+            except NoSensorFoundError:
+                continue
+        return last.open(serial)

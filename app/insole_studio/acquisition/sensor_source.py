@@ -29,6 +29,7 @@ from insole_studio.acquisition.capture_setup import (
     recorded_setup,
 )
 from insole_studio.acquisition.driver_values import translating
+from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.rig import Rig
 from insole_studio.acquisition.warm_up import WarmUps
 from kinect_v1.calibration import Calibration, ZeroPlane
@@ -227,9 +228,9 @@ class SensorSource:
         """
         warm_ups = WarmUps(self.warm_up_file)
         if self.emulated_rig is not None:
-            return Rig(UsbBus(self.emulated_rig.bus), warm_ups)
+            return Rig(KinectPort(UsbBus(self.emulated_rig.bus), warm_ups))
         with translating():
-            return Rig(system_bus(), warm_ups)
+            return Rig(KinectPort(system_bus(), warm_ups))
 
     def setup(self) -> CaptureSetup:
         """Return the capture setup.

@@ -13,7 +13,7 @@ from insole_core.sensing.frames import median_raw
 from insole_studio.acquisition.capture_plan import CapturePlan, Shot
 from insole_studio.acquisition.light import Light
 from insole_studio.acquisition.messages import ViewStatus
-from insole_studio.acquisition.rig import OpenSensor, raw_image
+from insole_studio.acquisition.sensor_port import OpenSensor
 from insole_studio.acquisition.stabilisation import Stabilisation
 
 _LEAST_VALID_SHARE = 0.01
@@ -166,12 +166,6 @@ class Series:
                 view=view,
             ),
         )
-
-
-def poll_depth(sensor: OpenSensor) -> tuple[RawArray, float] | None:
-    """Return the next depth image of a sensor and its arrival time, if one is waiting."""
-    frame = sensor.poll_depth()
-    return None if frame is None else (raw_image(frame), frame.host_time_s)
 
 
 def _moved_share(frames: list[RawArray]) -> float:

@@ -2588,6 +2588,10 @@
             <translation>Sensor {serial} lutar {roll_deg:.0f}° åt sidan, vilket dess motor inte kan rätta; räta upp den för hand och ställ den vågrätt igen.</translation>
         </message>
         <message>
+            <source>Sensor {serial} {lacks}.</source>
+            <translation>Sensor {serial} {lacks}.</translation>
+        </message>
+        <message>
             <source>Sensors</source>
             <translation>Sensorer</translation>
         </message>
@@ -5800,6 +5804,14 @@
             <translation>har fler än {most} hörn</translation>
         </message>
         <message>
+            <source>has no light that blinks; cover it to see which one it is</source>
+            <translation>har ingen lampa som blinkar; täck den för att se vilken det är</translation>
+        </message>
+        <message>
+            <source>has no motor; turn it by hand</source>
+            <translation>har ingen motor; vrid den för hand</translation>
+        </message>
+        <message>
             <source>has not the same number of sensors in each row</source>
             <translation>har inte lika många sensorer i varje rad</translation>
         </message>
@@ -7434,6 +7446,10 @@
         <message>
             <source>selects {word}, and the program is made for {chosen}; take that word out, or set work_offset</source>
             <translation>väljer {word}, och programmet görs för {chosen}; ta bort det ordet eller ange work_offset</translation>
+        </message>
+        <message>
+            <source>sends no infrared pictures; choose one that does</source>
+            <translation>sänder inga infraröda bilder; välj en som gör det</translation>
         </message>
         <message>
             <source>sensors</source>

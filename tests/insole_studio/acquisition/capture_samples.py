@@ -25,9 +25,10 @@ from insole_studio.acquisition.capture_runner import (
 )
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM, CaptureSetup, SensorFiles
 from insole_studio.acquisition.draft import Draft
-from insole_studio.acquisition.driver_values import SensorError
+from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.messages import CaptureStatus
-from insole_studio.acquisition.rig import OpenSensor, Rig
+from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_port import OpenSensor, SensorError
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
@@ -135,4 +136,4 @@ def make_bench(
         capture_condition=CaptureCondition("semi", True, "cold feet"),
     )
     draft = Draft(folder, manifest, VIEWS)
-    return Bench(kinects, depth, emulated, Rig(UsbBus(emulated)), setup, draft)
+    return Bench(kinects, depth, emulated, Rig(KinectPort(UsbBus(emulated))), setup, draft)

@@ -21,8 +21,8 @@ from insole_studio.acquisition import draft as draft_module
 from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, make_plan
 from insole_studio.acquisition.capture_runner import open_sensors
 from insole_studio.acquisition.draft import Draft
-from insole_studio.acquisition.driver_values import BusFullError, NoSensorFoundError, SensorError
 from insole_studio.acquisition.messages import CapturePhase, CaptureStatus
+from insole_studio.acquisition.sensor_port import BusFullError, NoSensorFoundError, SensorError
 from kinect_v1.emulation.packet_source import Fault
 from kinect_v1.emulation.playback import make_footage
 

@@ -23,7 +23,9 @@ from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.driver_values import factory_sensor, usual_sensor
-from insole_studio.acquisition.rig import OpenSensor, Rig, raw_image
+from insole_studio.acquisition.kinect_sensors import KinectPort
+from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_port import DepthFrame, OpenSensor
 from insole_studio.acquisition.sensor_source import (
     EmulatedRig,
     SensorSource,
@@ -32,7 +34,6 @@ from insole_studio.acquisition.sensor_source import (
     factory_calibration,
 )
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION
-from kinect_v1.streams import Frame
 from kinect_v1.usb_bus import UsbBus
 from tests.patience import wait_for
 
@@ -72,7 +73,7 @@ def test_a_smaller_picture_keeps_its_middle() -> None:
 
 def test_every_sensor_of_a_session_is_found(small_session: Path) -> None:
     session = read_session(small_session)
-    rig = Rig(UsbBus(EmulatedRig(session).bus))
+    rig = Rig(KinectPort(UsbBus(EmulatedRig(session).bus)))
     found = rig.require()
     assert [s.serial for s in found] == [view.sensor.serial for view in session.views]
     assert len({s.bus for s in found}) == 3
@@ -122,7 +123,7 @@ def test_a_sensor_sees_what_its_tilt_and_its_place_show(small_session: Path) -> 
 
     def seen(sensor: OpenSensor) -> str:
         sensor.start()
-        frames: list[Frame] = []
+        frames: list[DepthFrame] = []
 
         def has_come() -> bool:
             frames.extend(filter(None, [sensor.poll_depth()]))
@@ -130,11 +131,11 @@ def test_a_sensor_sees_what_its_tilt_and_its_place_show(small_session: Path) -> 
 
         wait_for(has_come)
         sensor.stop()
-        image = raw_image(frames[0])
+        image = frames[0].image
         (view,) = (v.name for v in moved.views if np.array_equal(v.read_depth(0), image))
         return view
 
-    with Rig(UsbBus(room.bus)).open("A") as sensor:
+    with Rig(KinectPort(UsbBus(room.bus))).open("A") as sensor:
         assert seen(sensor) == "left"
         sensor.tilt_to(1.0)
         assert seen(sensor) == "left_2"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from insole_studio.acquisition.rig import infrared_picture
+from insole_studio.acquisition.kinect_sensors import KinectVideoFrame
 from kinect_v1.modes import BAYER_640, IR_640, StreamMode
 from kinect_v1.streams import Frame
 
@@ -16,8 +16,7 @@ def frame(image: np.ndarray, mode: StreamMode = IR_640) -> Frame:
 def test_little_light_keeps_its_steps() -> None:
     """With the emitter covered a board may span 40 of 1023 levels; all of them stay apart."""
     levels = np.zeros((488, 640), np.uint16) + np.arange(640, dtype=np.uint16) // 16 + 10
-    picture = infrared_picture(frame(levels))
-    assert picture is not None
+    picture = KinectVideoFrame(frame(levels), 480).preview()
     assert (picture.shape, picture.dtype) == ((480, 640), np.uint8)
     assert len(np.unique(picture)) == 40
     assert (picture.min(), picture.max()) == (0, 255)
@@ -25,7 +24,7 @@ def test_little_light_keeps_its_steps() -> None:
 
 
 def test_an_even_picture_and_one_of_colour() -> None:
-    even = infrared_picture(frame(np.full((488, 640), 500, np.uint16)))
-    assert even is not None
-    assert not even.any()
-    assert infrared_picture(frame(np.zeros((480, 640), np.uint8), BAYER_640)) is None
+    even = KinectVideoFrame(frame(np.full((488, 640), 500, np.uint16)), 480)
+    assert not even.preview().any()
+    color = KinectVideoFrame(frame(np.zeros((480, 640), np.uint8), BAYER_640), 480)
+    assert (color.preview().shape, color.picture().shape) == ((240, 320, 3), (480, 640, 3))

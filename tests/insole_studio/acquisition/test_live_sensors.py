@@ -11,6 +11,7 @@ from capture_samples import SERIALS, Bench
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.reader import read_session
+from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.live_sensors import LiveSensors
 from insole_studio.acquisition.rig import Rig
 from insole_studio.acquisition.sensor_source import EmulatedRig
@@ -71,7 +72,7 @@ def test_a_sensor_whose_controller_is_full_waits(make: Callable[..., Bench]) -> 
 def test_infrared_in_place_of_colour_and_back(small_session: Path) -> None:
     shown: list[RawArray | ByteArray] = []
     live = LiveSensors(
-        Rig(UsbBus(EmulatedRig(read_session(small_session)).bus)),
+        Rig(KinectPort(UsbBus(EmulatedRig(read_session(small_session)).bus))),
         lambda slot, image: shown.append(image) if slot == 0 else None,
     )
     live.find()

@@ -11,6 +11,7 @@ import pytest
 from capture_samples import Bench
 
 from insole_studio.acquisition import live_sensors, warm_up
+from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.live_sensors import LiveSensors
 from insole_studio.acquisition.messages import WARM_UP_S
 from insole_studio.acquisition.rig import Rig
@@ -93,7 +94,9 @@ def test_live_sensors_tell_it_until_one_is_unplugged(
 
     def on_s() -> dict[str, float]:
         """What a window that is opened and closed says of each sensor."""
-        live = LiveSensors(Rig(UsbBus(bench.emulated), WarmUps(file)), lambda _slot, _image: None)
+        live = LiveSensors(
+            Rig(KinectPort(UsbBus(bench.emulated), WarmUps(file))), lambda _slot, _image: None
+        )
         live.find()
         found = {state.serial: state.warm_s for state in live.summary.states}
         for sensor in live.opened.values():

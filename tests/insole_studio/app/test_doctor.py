@@ -12,8 +12,8 @@ from insole_core.records.author import Author
 from insole_core.records.person import Person
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
 from insole_core.records.records import open_records
-from insole_studio.acquisition.driver_values import SensorError
 from insole_studio.acquisition.examined_sensors import ExaminedSensor
+from insole_studio.acquisition.sensor_port import SensorError
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.doctor import Diagnosis, Doctor, FindSensors, report_lines
 from insole_studio.app.graphics import Graphics

@@ -485,6 +485,7 @@ class CapturePresenter:
             problem=state.problem,
             progress=self._progress_of(state.serial),
             retakes=() if self.is_capturing else self._retakes(state.serial),
+            capabilities=state.capabilities,
         )
 
     def _retakes(self, serial: str) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from insole_core.geometry.side import Side, Sides
 from insole_studio.acquisition.guidance import DEPTH_RANGE_MM
+from insole_studio.acquisition.messages import Capability
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
 
@@ -72,6 +73,8 @@ class SensorRow:
         Completed share of the capture of its view.
     retakes
         Its views that can be captured again.
+    capabilities
+        What the sensor can be asked for.
     """
 
     serial: str
@@ -82,6 +85,7 @@ class SensorRow:
     problem: str | None = None
     progress: str = ""
     retakes: tuple[str, ...] = ()
+    capabilities: frozenset[Capability] = frozenset()
 
 
 @dataclass(frozen=True)

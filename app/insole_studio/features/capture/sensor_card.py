@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.geometry.arrays import ByteArray
+from insole_studio.acquisition.messages import Capability
 from insole_studio.features.capture.rows import USUAL_VIEWS, VIEWS_OF_BOTH, SensorRow
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
@@ -67,6 +68,7 @@ class SensorCard(QFrame):
         self._retake.setText(tr("Capture again"))
         self._retake.clicked.connect(self._retake_view)
         self._retakes: tuple[str, ...] = ()
+        self._asking: dict[Capability, list[QToolButton]] = {}
         self._lay_out()
 
     def show_row(self, row: SensorRow) -> None:
@@ -82,6 +84,9 @@ class SensorCard(QFrame):
         self._view.show_value(row.view)
         self._retakes = row.retakes
         self._retake.setEnabled(bool(row.retakes))
+        for capability, buttons in self._asking.items():
+            for button in buttons:
+                button.setEnabled(capability in row.capabilities)
 
     def show_pictures(self, depth: ByteArray | None, color: ByteArray | None) -> None:
         """Show new images (height, width, 3) uint8, RGB; None keeps the current one."""
@@ -124,6 +129,7 @@ class SensorCard(QFrame):
     def _buttons(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setSpacing(4)
+        tilting: list[QToolButton] = []
         for text, tip, turn in (
             (tr("Tilt −"), tr("Tilt the sensor down"), -self._tilt_step_deg),
             (tr("Tilt +"), tr("Tilt the sensor up"), self._tilt_step_deg),
@@ -131,6 +137,7 @@ class SensorCard(QFrame):
             button = _button(text, tip)
             button.clicked.connect(lambda _on, by=turn: self.tilt_requested.emit(self.serial, by))
             row.addWidget(button)
+            tilting.append(button)
         level = _button(tr("Level"), tr("Level the sensor by its accelerometer"))
         level.clicked.connect(lambda: self.level_requested.emit(self.serial))
         row.addWidget(level)
@@ -138,6 +145,7 @@ class SensorCard(QFrame):
         identify.setCheckable(True)
         identify.toggled.connect(lambda on: self.identify_requested.emit(self.serial, on))
         row.addWidget(identify)
+        self._asking = {Capability.TILT: [*tilting, level], Capability.BLINK: [identify]}
         row.addStretch(1)
         row.addWidget(self._retake)
         return row

@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QToolButton
 from pytestqt.qtbot import QtBot
 
+from insole_studio.acquisition.messages import Capability
 from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, SensorRow
 from insole_studio.features.capture.sensor_card import SensorCard
 from insole_studio.features.capture.view import CaptureView
@@ -87,6 +88,23 @@ def test_a_sensor_that_gave_several_views_has_a_menu_of_them(qtbot: QtBot) -> No
     heel.trigger()
     menu.close()
     assert asked == ["heel", "heel_2"]
+
+
+def test_a_sensor_is_asked_only_for_what_it_can_do(qtbot: QtBot) -> None:
+    card = SensorCard("A1", 2.0)
+    qtbot.addWidget(card)
+    buttons = {button.text(): button for button in card.findChildren(QToolButton)}
+    asked: list[str] = []
+    card.level_requested.connect(asked.append)
+    card.show_row(SensorRow("A1", "left", "left", "", capabilities=frozenset({Capability.BLINK})))
+    buttons["Level"].click()
+    assert not asked
+    assert [text for text in ("Tilt −", "Level", "Identify") if buttons[text].isEnabled()] == [
+        "Identify"
+    ]
+    card.show_row(SensorRow("A1", "left", "left", "", capabilities=frozenset(Capability)))
+    buttons["Level"].click()
+    assert asked == ["A1"]
 
 
 def test_usual_views_and_their_bursts_have_words() -> None:

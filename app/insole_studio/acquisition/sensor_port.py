@@ -1,0 +1,267 @@
+"""The port to sensors: what a capture asks of a family of them, whatever driver is behind it.
+
+An adapter for each family implements `SensorPort` and `OpenSensor`; `Rig` joins the adapters. What
+only some families can do is a `Capability`.
+"""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Protocol, Self
+
+from insole_core.errors import InsoleError
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.messages import Message
+from insole_core.sensing.sensor import Sensor
+from insole_studio.acquisition.messages import Capability, DetectedSensor
+
+ColorSize = tuple[int, int]
+Place = tuple[str, int, int]
+"""Family, bus and address."""
+
+
+class SensorError(InsoleError):
+    """A sensor is missing, cannot be used, or stopped working."""
+
+
+class NoSensorFoundError(SensorError):
+    """No sensor is plugged in, or not the requested one."""
+
+
+class BusFullError(SensorError):
+    """The USB controller cannot carry another stream."""
+
+
+@dataclass(frozen=True, eq=False)
+class DepthFrame:
+    """A depth frame as a session stores it.
+
+    Parameters
+    ----------
+    image : (height, width) uint16
+        In the unit that the sensor's calibration states.
+    time_s
+        When it arrived, `time.monotonic()`.
+    discarded
+        Number of frames that arrived damaged before.
+    """
+
+    image: RawArray
+    time_s: float
+    discarded: int
+
+
+class VideoFrame(Protocol):
+    """A colour or infrared frame; it is decoded when somebody asks for it."""
+
+    @property
+    def time_s(self) -> float:
+        """When it arrived, `time.monotonic()`."""
+        ...
+
+    def picture(self) -> ByteArray:
+        """Return the whole picture (height, width, 3) uint8, RGB."""
+        ...
+
+    def preview(self) -> ByteArray:
+        """Return a picture to look at.
+
+        Returns
+        -------
+        (height, width, 3) uint8
+            RGB of half the size; of an infrared frame the whole picture (height, width).
+        """
+        ...
+
+
+class OpenSensor(Protocol):
+    """An open sensor. Close it, or use it as a context manager.
+
+    Every method raises `SensorError` when the sensor is lost or does not answer.
+    """
+
+    @property
+    def serial(self) -> str:
+        """Its serial number."""
+        ...
+
+    @property
+    def model(self) -> str:
+        """The name of its model."""
+        ...
+
+    @property
+    def bus(self) -> int:
+        """Number of its USB controller."""
+        ...
+
+    @property
+    def on_since_s(self) -> float:
+        """Since when it has been on, `time.monotonic()`; pauses are left out."""
+        ...
+
+    @property
+    def capabilities(self) -> frozenset[Capability]:
+        """What it can do beyond depth and colour."""
+        ...
+
+    @property
+    def emits(self) -> bool:
+        """Whether its emitter is on."""
+        ...
+
+    @property
+    def streams(self) -> bool:
+        """Whether depth and colour are streaming."""
+        ...
+
+    @property
+    def discarded(self) -> int:
+        """Number of depth frames that arrived damaged since it was opened."""
+        ...
+
+    def factory_sensor(self, faces: tuple[str, ...]) -> Sensor:
+        """Return the calibration of the factory, for a sensor that sees some marker groups."""
+        ...
+
+    def start(self, color_size: ColorSize | None = None) -> None:
+        """Stream depth, which switches the emitter on, and colour; running streams continue.
+
+        Parameters
+        ----------
+        color_size
+            Width and height, px; None for the largest.
+
+        Raises
+        ------
+        BusFullError
+            When its USB controller carries too much already.
+        """
+        ...
+
+    def start_infrared(self) -> None:
+        """Stream infrared pictures instead of colour, and depth; `start` brings colour back.
+
+        With `Capability.INFRARED`.
+
+        Raises
+        ------
+        BusFullError
+            When its USB controller carries too much already.
+        """
+        ...
+
+    def reserving(self) -> AbstractContextManager[None]:
+        """Reserve the bandwidth of depth and colour within a context; switch nothing on.
+
+        Raises
+        ------
+        BusFullError
+            When its USB controller cannot carry them.
+        """
+        ...
+
+    def stop_depth(self) -> None:
+        """Switch the emitter off."""
+        ...
+
+    def stop(self) -> None:
+        """Stop everything, which frees the controller's bandwidth."""
+        ...
+
+    def poll_depth(self) -> DepthFrame | None:
+        """Return the next depth frame if one is waiting."""
+        ...
+
+    def poll_video(self) -> VideoFrame | None:
+        """Return the next colour frame, or infrared after `start_infrared`, if one is waiting."""
+        ...
+
+    def tilt_deg(self) -> float:
+        """Return the tilt relative to gravity; with `Capability.TILT`, as `tilt_to`, `roll_deg`."""
+        ...
+
+    def tilt_to(self, tilt_deg: float) -> None:
+        """Tilt the sensor and wait until it stands still."""
+        ...
+
+    def roll_deg(self) -> float:
+        """Return the roll angle, which no motor can correct."""
+        ...
+
+    def blink(self, on: bool) -> None:
+        """Make its light blink, by which it is found, or light steadily; `Capability.BLINK`."""
+        ...
+
+    def keep_warm_up(self) -> None:
+        """Note how long it has been on, in case this process is killed."""
+        ...
+
+    def close(self) -> None:
+        """Stop everything and release the sensor, also when it has been unplugged."""
+        ...
+
+    def __enter__(self) -> Self: ...
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None: ...
+
+
+class SensorPort(Protocol):
+    """Finds and opens the sensors of one family."""
+
+    def find(self) -> tuple[DetectedSensor, ...]:
+        """List the sensors that are plugged in, without disturbing any.
+
+        Raises
+        ------
+        SensorError
+        """
+        ...
+
+    def places(self) -> frozenset[Place]:
+        """Return where sensors are plugged in, without querying them; a replug changes it.
+
+        Raises
+        ------
+        SensorError
+        """
+        ...
+
+    def open(self, serial: str) -> OpenSensor:
+        """Open a sensor.
+
+        Raises
+        ------
+        NoSensorFoundError
+            When it is not plugged in, or of another family.
+        SensorError
+            When it has no power or no permission, or another program uses it.
+        """
+        ...
+
+
+_LACKS = {
+    Capability.TILT: Message("has no motor; turn it by hand"),
+    Capability.BLINK: Message("has no light that blinks; cover it to see which one it is"),
+    Capability.INFRARED: Message("sends no infrared pictures; choose one that does"),
+}
+
+
+def require(sensor: OpenSensor, capability: Capability) -> None:
+    """Check that a sensor can do what somebody asks of it.
+
+    Raises
+    ------
+    SensorError
+    """
+    if capability not in sensor.capabilities:
+        raise SensorError(
+            "Sensor {serial} {lacks}.", serial=sensor.serial, lacks=_LACKS[capability]
+        )
