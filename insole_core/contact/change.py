@@ -170,12 +170,12 @@ class Change:
     @cached_property
     def old_kpa(self) -> FloatArray:
         """(ny, nx) as sensors show it."""
-        return _as_sensed(self.sole, self.old.mpa)
+        return as_sensed(self.sole, self.old.mpa)
 
     @cached_property
     def new_kpa(self) -> FloatArray:
         """(ny, nx) as sensors show it."""
-        return _as_sensed(self.sole, self.new.mpa)
+        return as_sensed(self.sole, self.new.mpa)
 
     @cached_property
     def percent(self) -> FloatArray:
@@ -198,18 +198,18 @@ class Change:
 
     def of(self, name: str) -> RegionChange:
         """Return the change of one of `GROUPS`."""
-        inside = self._inside(name)
+        here = inside(self.sole, name)
         old, new = self.peaks_kpa(name)
         if old < LOADED_KPA:
             return RegionChange(None, None)
-        before, after = self.old.mpa[inside].sum(), self.new.mpa[inside].sum()
+        before, after = self.old.mpa[here].sum(), self.new.mpa[here].sum()
         load = float(100 * (after / before - 1)) if before > 0 else None
         return RegionChange(100 * (new / old - 1), load)
 
     def peaks_kpa(self, name: str) -> tuple[float, float]:
         """Return the peak pressures of one of `GROUPS` before and after, as sensors show them."""
-        inside = self._inside(name)
-        old, new = (kpa[inside].max(initial=0.0) for kpa in (self.old_kpa, self.new_kpa))
+        here = inside(self.sole, name)
+        old, new = (kpa[here].max(initial=0.0) for kpa in (self.old_kpa, self.new_kpa))
         return float(old), float(new)
 
     def at(self, xy: Place) -> float | None:
@@ -219,13 +219,15 @@ class Change:
 
     def densified(self, name: str, ground: Ground) -> bool:
         """Return whether the insole is so compressed in a region that its foam gets stiffer."""
-        inside = self._inside(name) & (ground.thickness_mm > 0) & (self.new.mpa > 0)
-        strain = self.new.sunk_mm[inside] / ground.thickness_mm[inside]
+        here = inside(self.sole, name) & (ground.thickness_mm > 0) & (self.new.mpa > 0)
+        strain = self.new.sunk_mm[here] / ground.thickness_mm[here]
         return bool((strain > _DENSE).any())
 
-    def _inside(self, name: str) -> BoolArray:
-        numbers = [REGIONS.index(region) for region in GROUPS[name]]
-        return np.isin(_numbers(self.sole), numbers) & self.sole.known
+
+def inside(sole: Sole, name: str) -> BoolArray:
+    """(ny, nx) which nodes of a sole belong to one of `GROUPS`."""
+    numbers = [REGIONS.index(region) for region in GROUPS[name]]
+    return np.isin(_numbers(sole), numbers) & sole.known
 
 
 def _numbers(sole: Sole) -> IntArray:
@@ -240,7 +242,7 @@ def _numbers(sole: Sole) -> IntArray:
     return foot.derived.get("sole regions", (grid,), find)
 
 
-def _as_sensed(sole: Sole, mpa: FloatArray) -> FloatArray:
+def as_sensed(sole: Sole, mpa: FloatArray) -> FloatArray:
     """(ny, nx) kPa, mean over squares of `_SENSOR_MM` about each node, whatever the grid's step."""
     steps = _SENSOR_MM / sole.field.step_mm
     whole = 2 * int((steps - 1) // 2) + 1

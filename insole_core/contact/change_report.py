@@ -6,11 +6,15 @@ from collections.abc import Sequence
 from typing import Any
 
 from insole_core.contact.change import SENTENCE, PressureChange, Told
+from insole_core.contact.fit import Fitted
 from insole_core.insole.fields import Place
 
 
 def change_report(
-    told: PressureChange, points: Sequence[Place], notes: Sequence[str] = ()
+    told: PressureChange,
+    points: Sequence[Place],
+    notes: Sequence[str] = (),
+    fitted: Fitted | None = None,
 ) -> dict[str, Any]:
     """Return what is told of a change, in the insole frame.
 
@@ -20,6 +24,8 @@ def change_report(
         Those that were asked for, mm.
     notes
         What was assumed, a sentence each.
+    fitted
+        To a measured map; None without one.
     """
     old_mm2, new_mm2 = told.change.areas_mm2
     return {
@@ -34,6 +40,20 @@ def change_report(
         "cannot_tell": list(told.cannot_tell),
         "reasons": {name: str(one.reason) for name, one in told.regions.items() if one.reason},
         "notes": [*notes, str(SENTENCE)],
+        **({} if fitted is None else {"fit": _fit(fitted)}),
+    }
+
+
+def _fit(fitted: Fitted) -> dict[str, Any]:
+    tissue = fitted.assumed.tissue
+    return {
+        "heel_mpa": round(tissue.heel_mpa, 4),
+        "forefoot_mpa": round(tissue.forefoot_mpa, 4),
+        "held_out": {
+            name: {"measured_kpa": round(measured, 1), "computed_kpa": round(found, 1)}
+            for name, (measured, found) in fitted.held_out.items()
+        },
+        "held_out_error_percent": _rounded(fitted.error_percent),
     }
 
 

@@ -17,8 +17,9 @@ from insole_studio.cli.argument_parser import number
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
-    from insole_core.contact.change import PressureChange
+    from insole_core.contact.change import Loading, PressureChange
     from insole_core.contact.designs import Shoe
+    from insole_core.contact.fit import Fitted
     from insole_core.foot.foot import Foot
     from insole_core.insole.prescription.design import InsoleDesign
 
@@ -28,6 +29,7 @@ NAME = "pressure-change"
 HELP = "tell how load moves from one design to another, in per cent, by a model"
 
 _FLATTER = "{what} a part of the weight: the sole is flatter than without, reliefs are understated."
+_SAME_FOOT_MM = 1.0
 _A_PLACE = re.compile(r"^-\d")
 """What begins like a negative number is a place, and no option."""
 
@@ -66,6 +68,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="hardness of the foam of all insoles, whatever the designs say",
     )  # fmt: skip
     parser.add_argument(
+        "--measured", type=Path, metavar="CASE.insole",
+        help="a case of this scan with a map under the foot, to which the tissue is fitted: of the "
+        "bare foot on a plate, in this posture",
+    )  # fmt: skip
+    parser.add_argument(
         "--materials", type=Path, metavar="materials.json",
         help="table of materials (default: the clinic's)",
     )  # fmt: skip
@@ -89,12 +96,17 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         shoe = _shoe(arguments)
         if not all(shoe.knows_material(design) for design in (new, old) if design is not None):
             notes.append(_no_material())
-        told = _changed(foot, (new, old), shoe, arguments, progress.part(0.7, 1.0))
+        fitted = _fitted(foot, arguments, progress.part(0.7, 0.8))
+        told = _changed(foot, (new, old), fitted, arguments, progress.part(0.8, 1.0))
         for note in notes:
             print(f"Warning: {note}", file=sys.stderr)
-        content = change_report(told, arguments.at, notes)
+        content = change_report(told, arguments.at, notes, fitted)
         write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", report_file)
     _print_regions(told)
+    if fitted is not None and fitted.error_percent is not None:
+        print(
+            f"Fitted to the map; regions that were held out are off by {fitted.error_percent:.0f} %"
+        )
     print(SENTENCE)
     progress.step(1.0, f"Done: {arguments.report}")
 
@@ -183,22 +195,66 @@ def _shoe(arguments: argparse.Namespace) -> Shoe:
     )
 
 
-def _changed(
-    foot: Foot, designs: Designs, shoe: Shoe, arguments: argparse.Namespace, progress: Progress
-) -> PressureChange:
-    from insole_core.contact.change import Loading, pressure_change
+def _loading(foot: Foot, arguments: argparse.Namespace) -> Loading:
+    from insole_core.contact.change import Loading
     from insole_core.contact.load_case import Posture
     from insole_core.contact.stance import Sole
 
-    sole, (new, old) = Sole.of(foot), designs
+    return Loading(Sole.of(foot), arguments.weight_kg, Posture(arguments.posture))
+
+
+def _fitted(foot: Foot, arguments: argparse.Namespace, progress: Progress) -> Fitted | None:
+    """Return what the map of a case tells of the foot; None without one.
+
+    Raises
+    ------
+    InputError
+        When the case has no map under this foot, or it does not fit the posture.
+    """
+    from insole_core.cases.case_file import read_case
+    from insole_core.contact.fit import fit_tissue
+
+    if arguments.measured is None:
+        return None
+    record = read_case(arguments.measured).of_side(foot.side)
+    laid = None if record is None else record.plantar.pressure
+    if record is None or laid is None:
+        raise InputError(
+            "{path} has no map under a {side} foot; lay one with insole-studio pressure.",
+            path=arguments.measured,
+            side=foot.side,
+        )
+    if abs(record.foot.length_mm - foot.length_mm) > _SAME_FOOT_MM:
+        raise InputError(
+            "The foot in {path} is {other:.0f} mm long, and that of the scan {own:.0f} mm; give a "
+            "case of this scan.",
+            path=arguments.measured,
+            other=record.foot.length_mm,
+            own=foot.length_mm,
+        )
+    return fit_tissue(_loading(foot, arguments), laid, progress)
+
+
+def _changed(
+    foot: Foot,
+    designs: Designs,
+    fitted: Fitted | None,
+    arguments: argparse.Namespace,
+    progress: Progress,
+) -> PressureChange:
+    from insole_core.contact.change import pressure_change
+
+    loading, shoe, (new, old) = _loading(foot, arguments), _shoe(arguments), designs
+    sole = loading.sole
     before = shoe.floor(sole, new) if old is None else shoe.built(sole, old, progress.part(0, 0.3))
     after = shoe.built(sole, new, progress.part(0.3, 0.6))
     return pressure_change(
-        Loading(sole, arguments.weight_kg, Posture(arguments.posture)),
+        loading,
         before,
         after,
         material_is_known=shoe.knows_material(new),
         points=arguments.at,
+        assumed=None if fitted is None else fitted.assumed,
         progress=progress.part(0.6, 1.0),
     )
 

@@ -3424,6 +3424,14 @@
             <translation>Handboken saknas i den här installationen; installera Insole Studio igen, eller kör make manual i källkoden.</translation>
         </message>
         <message>
+            <source>The map carries {measured:.0f} N, and in this posture the foot carries {load:.0f} N; it is of walking, of another posture or of another person, so choose one that fits.</source>
+            <translation>Tryckbilden bär {measured:.0f} N, och i den här ställningen bär foten {load:.0f} N; den är av gång, av en annan ställning eller av en annan person, så välj en som passar.</translation>
+        </message>
+        <message>
+            <source>The map does not press under heel and ball of this foot; see that it lies there.</source>
+            <translation>Tryckbilden trycker inte under den här fotens häl och trampdyna; se till att den ligger där.</translation>
+        </message>
+        <message>
             <source>The map does not show whether it is that of a left or a right foot; check that it is that of the {side} one.</source>
             <translation>Tryckbilden visar inte om den är av en vänster eller höger fot; kontrollera att den är av den som är {side}.</translation>
         </message>

@@ -9,13 +9,20 @@ from typing import Any
 import numpy as np
 import pytest
 
+from insole_core.cases.case_file import write_case
+from insole_core.cases.case_record import CaseRecord, FootRecord
+from insole_core.cases.scan_source import ScanSource
 from insole_core.contact.change import SENTENCE
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
+from insole_core.pressure.alignment import SolePrint
+from insole_core.pressure.laid_map import Placement, PressureMap
+from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
+from insole_core.workflows.plantar_pressure import with_pressure
 from insole_studio.cli.main import run
 
 
@@ -132,11 +139,34 @@ def test_a_material_of_unknown_stiffness_is_refused(
     assert run(call(foot, new, report, "--shore-a", "60")) == 0
 
 
+@pytest.mark.parametrize(("kpa_per_mm", "code"), [(18.0, 0), (70.0, 1)])
+def test_the_tissue_is_fitted_to_a_standing_map_of_a_case_and_not_to_one_of_walking(
+    foot: Path, tmp_path: Path, kpa_per_mm: float, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    placed = place_foot(read_mesh(foot).mesh, Side.LEFT, frame="reference")
+    heights = SolePrint.of(placed).heights_mm[::3, ::3]
+    kpa = np.clip(6 - heights, 0, None)[::-1] * kpa_per_mm
+    first = SolePrint.of(placed).first_mm
+    middle = [start + 6.0 * (n - 1) / 2 for start, n in zip(first, kpa.shape[::-1], strict=True)]
+    laid = PressureMap(kpa, (6.0, 6.0), Placement(*middle))
+    record = FootRecord.begun(placed, ScanSource("mesh", "/scans/foot.ply", "0" * 64))
+    case, report = tmp_path / "case.insole", tmp_path / "change.json"
+    write_case(CaseRecord.of_foot(with_pressure(record, laid)), case)
+    new = design(tmp_path, "new.json")
+    assert run(call(foot, new, report, "--measured", str(case))) == code
+    if code:
+        assert "walking" in capsys.readouterr().err.splitlines()[-1]
+        assert not report.exists()
+    else:
+        fit = json.loads(report.read_text())["fit"]
+        assert fit["heel_mpa"] > 0
+        assert fit["held_out_error_percent"] > 0
+        assert "held out" in capsys.readouterr().out
+
+
 def test_a_scan_that_stood_is_refused(
     foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from insole_core.scans.mesh_file import read_mesh
-
     placed: Foot = place_foot(read_mesh(foot).mesh, Side.LEFT, frame="reference")
     stood = np.maximum(placed.mesh.vertices, [-np.inf, -np.inf, 7.0])
     path = tmp_path / "stood.ply"
