@@ -88,6 +88,7 @@ PRESCRIBED = (
     {name[0].upper() + name[1:] for name in PAD_NAMES.values()}
     | {kind.name[0].lower() + kind.name[1:] for kind in CORRECTION_TYPES.values()}
     | {word.replace("_", " ") for word in (*PAD_SHAPES, *DEFINITIONS)}
+    | {name.removesuffix("_deg").replace("_", " ") for name in DEFINITIONS}
     | {"rearfoot post", "forefoot post", "medial rim", "lateral rim", "depth camera"}
 )
 """Words of a prescription, of measures, and of calibrations that are made of identifiers."""

@@ -150,6 +150,8 @@ MENUS: tuple[tuple[Callable[[], str], tuple[str, ...]], ...] = (
             SEPARATOR,
             "copy_measures",
             "save_measures",
+            "print_measures",
+            "explain_angles",
             SEPARATOR,
             "apply_template",
             "save_template",

@@ -38,6 +38,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--csv", action=OutputPath, metavar="measures.csv", help="the table, for reading"
     )
+    parser.add_argument(
+        "--sheet", action=OutputPath, metavar="foot.pdf",
+        help="the foot sheet, to print: measures with their ±, and a drawing of the angles",
+    )  # fmt: skip
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -46,6 +50,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError(f"--report is {arguments.report}, but the report is written as .json.")
     if arguments.csv is not None and arguments.csv.suffix.lower() != ".csv":
         raise UsageError(f"--csv is {arguments.csv}, but the table is written as .csv.")
+    if arguments.sheet is not None and arguments.sheet.suffix.lower() != ".pdf":
+        raise UsageError(f"--sheet is {arguments.sheet}, but the sheet is written as .pdf.")
     from insole_core.files.atomic import write_text
     from insole_core.files.transaction import Transaction
     from insole_core.workflows.measured_feet import measured_scan
@@ -53,6 +59,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     with Transaction() as outputs:
         report_file = outputs.file(arguments.report)
         csv_file = arguments.csv and outputs.file(arguments.csv)
+        sheet_file = arguments.sheet and outputs.file(arguments.sheet)
         feet = _read_feet(arguments, progress.part(0.0, 0.8))
         progress.step(0.8, "Measuring")
         measured = [measured_scan(one) for one in feet]
@@ -61,6 +68,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         write_text(text + "\n", report_file)
         if csv_file:
             write_text(_csv(rows), csv_file)
+        if sheet_file:
+            _write_sheet(
+                {s.foot.side: one for s, one in zip(feet, measured, strict=True)}, sheet_file
+            )
     progress.step(1.0, f"Done: {arguments.report}")
 
 
@@ -78,6 +89,12 @@ def _table(feet: Sequence[ScannedFoot], measured: Sequence[MeasuredFoot]) -> lis
     from insole_core.foot.measure_table import measure_table
 
     return measure_table({s.foot.side: one for s, one in zip(feet, measured, strict=True)})
+
+
+def _write_sheet(feet: dict[Side, MeasuredFoot], path: Path) -> None:
+    from insole_core.workflows.foot_sheet import write_foot_sheet
+
+    write_foot_sheet(feet, path)
 
 
 def _csv(rows: Sequence[MeasureRow]) -> str:

@@ -320,12 +320,20 @@
             <translation>akillesaxeln mot skanningens lodlinje; &gt; 0 lutar medialt</translation>
         </message>
         <message>
+            <source>Achilles lean: against the upright of the scan</source>
+            <translation>Akilles lutning: mot skanningens lodlinje</translation>
+        </message>
+        <message>
             <source>Achilles tendinopathy</source>
             <translation>Hälsenebesvär</translation>
         </message>
         <message>
             <source>Achilles tendon</source>
             <translation>hälsena</translation>
+        </message>
+        <message>
+            <source>Achilles to sole: against the normal of the sole</source>
+            <translation>Akilles mot fotsula: mot fotsulans normal</translation>
         </message>
         <message>
             <source>Across</source>
@@ -1768,6 +1776,10 @@
             <translation>Mått</translation>
         </message>
         <message>
+            <source>Measures of the feet</source>
+            <translation>Fötternas mått</translation>
+        </message>
+        <message>
             <source>Measuring the difference</source>
             <translation>Mäter skillnaden</translation>
         </message>
@@ -2392,6 +2404,10 @@
             <translation>Bakfot</translation>
         </message>
         <message>
+            <source>Rearfoot angle: calcaneus to Achilles tendon</source>
+            <translation>Bakfotsvinkel: hälben mot akillessena</translation>
+        </message>
+        <message>
             <source>Rearfoot post</source>
             <translation>Bakfotskil</translation>
         </message>
@@ -2570,6 +2586,10 @@
         <message>
             <source>Scan</source>
             <translation>Skanning</translation>
+        </message>
+        <message>
+            <source>Seen from behind, angles twice as large. Blue: Achilles tendon; brown: calcaneus; grey: normal of the sole (dashed), upright of the scan (dotted). An angle is 0 where its two lines are one. Valgus: the heel tilts to the outside under the leg; medial: the leg leans to the other foot. In files, valgus and medial are above 0; of the forefoot, varus is.</source>
+            <translation>Sett bakifrån, vinklar dubbelt så stora. Blått: akillessena; brunt: hälben; grått: fotsulans normal (streckad), skanningens lodlinje (prickad). En vinkel är 0 där dess två linjer är en. Valgus: hälen lutar utåt under benet; medial: benet lutar mot den andra foten. I filer är valgus och medial över 0; för framfoten är varus det.</translation>
         </message>
         <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
@@ -4952,8 +4972,16 @@
             <translation>konto</translation>
         </message>
         <message>
+            <source>achilles angle</source>
+            <translation>akilles mot fotsula</translation>
+        </message>
+        <message>
             <source>achilles angle deg</source>
             <translation>akillesvinkel, °</translation>
+        </message>
+        <message>
+            <source>achilles lean</source>
+            <translation>akilles lutning</translation>
         </message>
         <message>
             <source>achilles lean deg</source>
@@ -5686,6 +5714,10 @@
         <message>
             <source>forefoot</source>
             <translation>framfot</translation>
+        </message>
+        <message>
+            <source>forefoot angle</source>
+            <translation>framfotsvinkel</translation>
         </message>
         <message>
             <source>forefoot angle deg</source>
@@ -6956,6 +6988,10 @@
             <translation>inte antecknat</translation>
         </message>
         <message>
+            <source>not scanned</source>
+            <translation>inte skannat</translation>
+        </message>
+        <message>
             <source>not set up</source>
             <translation>inte inrättad</translation>
         </message>
@@ -7254,6 +7290,10 @@
         <message>
             <source>rearfoot</source>
             <translation>bakfot</translation>
+        </message>
+        <message>
+            <source>rearfoot angle</source>
+            <translation>bakfotsvinkel</translation>
         </message>
         <message>
             <source>rearfoot angle deg</source>
@@ -7792,6 +7832,10 @@
             <translation>den största förskjutning som återstår</translation>
         </message>
         <message>
+            <source>the leg was not scanned</source>
+            <translation>benet skannades inte</translation>
+        </message>
+        <message>
             <source>the leg was not scanned, or in pieces only</source>
             <translation>benet skannades inte, eller bara i bitar</translation>
         </message>
@@ -8064,8 +8108,16 @@
             <translation>uppåt</translation>
         </message>
         <message>
+            <source>valgus</source>
+            <translation>valgus</translation>
+        </message>
+        <message>
             <source>variant {name}</source>
             <translation>variant {name}</translation>
+        </message>
+        <message>
+            <source>varus</source>
+            <translation>varus</translation>
         </message>
         <message>
             <source>version must be {known}, and is {version}.</source>
@@ -9740,6 +9792,10 @@
             <translation>{share:.0%} av {pad} ligger på övergången till randen; flytta den inåt eller ställ in en smalare övergång.</translation>
         </message>
         <message>
+            <source>{side} foot</source>
+            <translation>{side} fot</translation>
+        </message>
+        <message>
             <source>{side}: {work}</source>
             <translation>{side}: {work}</translation>
         </message>
@@ -9800,12 +9856,24 @@
             <translation>{value:.1f} mm</translation>
         </message>
         <message>
+            <source>{value:.1f} {limits}</source>
+            <translation>{value:.1f} {limits}</translation>
+        </message>
+        <message>
             <source>{value:.1f} {limits} mm</source>
             <translation>{value:.1f} {limits} mm</translation>
         </message>
         <message>
+            <source>{value:.1f} {limits}° {word}</source>
+            <translation>{value:.1f} {limits}° {word}</translation>
+        </message>
+        <message>
             <source>{value:.2f} mm</source>
             <translation>{value:.2f} mm</translation>
+        </message>
+        <message>
+            <source>{value:.2f} {limits}</source>
+            <translation>{value:.2f} {limits}</translation>
         </message>
         <message>
             <source>{value:g}</source>

@@ -76,6 +76,14 @@
             <translation>Ett inlägg börjar med en skanning: avbildad med sensorerna eller importerad från vilken skanner som helst. Klicka på ”Öppna exemplet”, vars skanning är gjord.</translation>
         </message>
         <message>
+            <source>Angles of the feet</source>
+            <translation>Fötternas vinklar</translation>
+        </message>
+        <message>
+            <source>Angles of the feet…</source>
+            <translation>Fötternas vinklar…</translation>
+        </message>
+        <message>
             <source>Anterior</source>
             <translation>Framifrån</translation>
         </message>
@@ -406,6 +414,10 @@
         <message>
             <source>Draw the outline of a usual shoe of this size, with the height of its heel</source>
             <translation>Rita konturen av en vanlig sko i denna storlek, med klackens höjd</translation>
+        </message>
+        <message>
+            <source>Draw what rearfoot angle, Achilles to sole and Achilles lean are</source>
+            <translation>Rita vad bakfotsvinkel, akilles mot fotsula och akilles lutning är</translation>
         </message>
         <message>
             <source>Draw with the processor, where the graphics card cannot; from the next start</source>
@@ -976,6 +988,10 @@
             <translation>Skriv ut kontur 1:1…</translation>
         </message>
         <message>
+            <source>Print the measures…</source>
+            <translation>Skriv ut måtten…</translation>
+        </message>
+        <message>
             <source>Put right the landmarks of the foot</source>
             <translation>Rätta till fotens landmärken</translation>
         </message>
@@ -1528,6 +1544,10 @@
             <translation>Vad syns här? Texten står vid punkten, i journalen.</translation>
         </message>
         <message>
+            <source>What the angles are…</source>
+            <translation>Vad vinklarna är…</translation>
+        </message>
+        <message>
             <source>What waited for the record cannot be stored: {reason} It is kept as {path}.</source>
             <translation>Det som väntade på journalen kan inte sparas: {reason} Det finns kvar som {path}.</translation>
         </message>
@@ -1550,6 +1570,10 @@
         <message>
             <source>Write on it…</source>
             <translation>Skriv på den…</translation>
+        </message>
+        <message>
+            <source>Write the measures with their ±, and a drawing of the angles, as PDF</source>
+            <translation>Skriv måtten med deras ±, och en ritning av vinklarna, som PDF</translation>
         </message>
         <message>
             <source>Write the outline of the insole in true size as a PDF</source>
@@ -1618,10 +1642,6 @@
         <message>
             <source>not measured</source>
             <translation>inte uppmätt</translation>
-        </message>
-        <message>
-            <source>not scanned</source>
-            <translation>inte skannat</translation>
         </message>
         <message>
             <source>scan of {day}</source>

@@ -224,14 +224,6 @@
             <translation>klicka för att fortsätta, dubbelklicka för att avsluta, Ctrl+Z tar tillbaka den sista punkten</translation>
         </message>
         <message>
-            <source>valgus</source>
-            <translation>valgus</translation>
-        </message>
-        <message>
-            <source>varus</source>
-            <translation>varus</translation>
-        </message>
-        <message>
             <source>{along} mm along the surface, {straight} mm straight</source>
             <translation>{along} mm längs ytan, {straight} mm rakt</translation>
         </message>

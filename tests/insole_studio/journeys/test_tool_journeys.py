@@ -12,7 +12,7 @@ import pytest
 from pointing import LEFT, drag, lead, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QScroller, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QLineEdit, QScroller, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 from read_pdf import paths_of_pdf
 from round_foot import round_foot
@@ -578,6 +578,13 @@ def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_pat
     opened.services.messages.questions.path = tmp_path / "measures.csv"  # type: ignore[attr-defined]
     act(opened, "save_measures")
     assert (tmp_path / "measures.csv").read_text() == copied
+    opened.services.messages.questions.path = tmp_path / "sheet.pdf"  # type: ignore[attr-defined]
+    act(opened, "print_measures")
+    assert (tmp_path / "sheet.pdf").read_bytes().startswith(b"%PDF")
+    opened.stage.patient.measure_chosen.emit("angles")
+    (dialog,) = (d for d in opened.window.findChildren(QDialog) if d.isVisible())
+    assert dialog.windowTitle() == "Angles of the feet"
+    dialog.reject()
 
 
 def test_a_pad_of_the_library_lies_at_its_place_at_once(

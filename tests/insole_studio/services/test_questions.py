@@ -85,6 +85,7 @@ def test_the_case_of_another_patient_is_not_overwritten_unasked(
         ("save_as", ".insole"),
         ("save_template", ".insole-template"),
         ("save_measures", ".csv"),
+        ("print_measures", ".pdf"),
         ("print_outline", ".pdf"),
     ],
 )

@@ -90,7 +90,8 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
     """Construct the actions on a stage."""
     case, tools = services.case, stage.tool_controller
     feet = FeetActions(case, services.messages)
-    measures, points = MeasureActions(case, services.messages), tools.tools[KeyPointTool.key]
+    measures = MeasureActions(case, services.messages, services.window)
+    points = tools.tools[KeyPointTool.key]
     assert isinstance(points, KeyPointTool)
     points.ask_text = measures.ask_text
     edit, side_by_side = EditActions(case, tools), SideBySideActions(case, stage)

@@ -32,7 +32,7 @@ from insole_studio.features.design.models.view_lines import rear_lines
 from insole_studio.features.design.parameters.parameters_presenter import ParametersPresenter
 from insole_studio.features.design.parameters.parameters_view import ParametersView
 from insole_studio.features.design.parameters.warnings_presenter import WarningsPresenter
-from insole_studio.features.design.patient.measure_texts import place_of
+from insole_studio.features.design.patient.measure_texts import ANGLES, place_of
 from insole_studio.features.design.patient.patient_presenter import PatientPresenter
 from insole_studio.features.design.patient.patient_view import PatientView
 from insole_studio.features.design.tools.tool_controller import ToolController
@@ -225,6 +225,9 @@ class DesignStage(QObject):
 
     def look_at_measure(self, key: str) -> None:
         """Show where a measure is taken, and mark it on the foot until something changes."""
+        if key == ANGLES:
+            self.action_requested.emit("explain_angles")
+            return
         found = place_of(key, self._case.record)
         if found is None:
             return

@@ -275,6 +275,20 @@ PRESCRIPTION_ACTIONS: tuple[ActionRecord[Design], ...] = (
         needs_foot=True,
     ),
     ActionRecord(
+        "print_measures",
+        lambda: tr("Print the measures…"),
+        lambda: tr("Write the measures with their ±, and a drawing of the angles, as PDF"),
+        lambda design, _on: design.measures.ask_sheet(),
+        needs_foot=True,
+    ),
+    ActionRecord(
+        "explain_angles",
+        lambda: tr("Angles of the feet…"),
+        lambda: tr("Draw what rearfoot angle, Achilles to sole and Achilles lean are"),
+        lambda design, _on: design.measures.explain_angles(),
+        needs_foot=True,
+    ),
+    ActionRecord(
         "save_template",
         lambda: tr("Save as template…"),
         lambda: tr("Save the prescription without the patient, for other feet"),

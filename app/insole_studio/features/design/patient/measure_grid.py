@@ -61,7 +61,7 @@ class MeasureGrid(QWidget):
 
     def _add(self, row: int, measure: Measure) -> None:
         if not measure.values:
-            self._add_explanation(row, measure.name)
+            self._add_explanation(row, measure)
             return
         both = len(measure.values) == _BOTH
         is_angle = both and measure.unit == "°"
@@ -78,9 +78,9 @@ class MeasureGrid(QWidget):
                 number.setObjectName("quiet")
             self._grid.addWidget(number, row, column, _RIGHT)
 
-    def _add_explanation(self, row: int, words: str) -> None:
-        told = QLabel(words)
-        told.setObjectName("quiet")
+    def _add_explanation(self, row: int, measure: Measure) -> None:
+        told = self._name(measure.name, measure.key)
+        told.setObjectName("quiet" if not measure.key else "")
         told.setWordWrap(True)
         self._grid.addWidget(told, row, 0, 1, -1)
 

@@ -19,6 +19,8 @@ from insole_studio.features.design.tools.key_point_tool import distances
 from insole_studio.scene.view_camera import Preset
 from insole_studio.texts import fill, localised, tr, translate_core_message
 
+ANGLES = "angles"
+"""Key of the line that leads to a drawing of the angles."""
 _ABOUT = "≈"  # precedes an uncertain value; the tooltip gives the reason
 _NONE = "–"  # in the narrow columns of two feet, where the scan shows no value
 _NAMES: dict[str, Callable[[], str]] = {
@@ -95,6 +97,8 @@ def measures_of(record: CaseRecord) -> list[Measure]:
     }
     rows = measure_table(measured_feet(record.feet), with_missing=True)
     measures = [_measure(row, doubtful) for row in rows]
+    if any(row.unit == "degrees" for row in rows):
+        measures.append(Measure(tr("What the angles are…"), (), key=ANGLES))
     if any(measure.is_within_error for measure in measures):
         measures.append(Measure(tr("Grey difference: within the error"), (), is_within_error=True))
     return [*measures, *_explained(rows)]
