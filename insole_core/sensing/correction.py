@@ -182,9 +182,10 @@ class DisparityCorrection:
             When the place cannot be written; a file that was there before is untouched.
         """
         with replacing_file(path) as beside:
-            beside.write_bytes(pack_arrays(self._arrays()))
+            beside.write_bytes(pack_arrays(self.arrays()))
 
-    def _arrays(self) -> dict[str, npt.NDArray[Any]]:
+    def arrays(self) -> dict[str, npt.NDArray[Any]]:
+        """Return the arrays of its file, by name."""
         height, width = self.offset.shape
         image = CorrectedImage(width, height, self.record.unit)
         record = asdict(self.record)

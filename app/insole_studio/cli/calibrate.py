@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from insole_core.progress import Progress
-from insole_studio.cli import calibrate_reference
+from insole_studio.cli import calibrate_infrared, calibrate_reference
 from insole_studio.cli.argument_parser import Command, Step, add_steps, number
 from insole_studio.cli.board_arguments import add_board_arguments, board_of, read_correspondences
 from insole_studio.cli.path_arguments import OutputPath
@@ -338,6 +338,7 @@ STEPS: tuple[Command, ...] = (
     STEREO,
     SHIFT,
     DISPARITY,
+    calibrate_infrared,
     UNDO,
     calibrate_reference,
     SESSION,

@@ -1,0 +1,208 @@
+"""The dot pattern of one device, as its infrared camera sees it, finer than its pictures."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from insole_core.errors import InputError
+from insole_core.files.atomic import replacing_file
+from insole_core.geometry.arrays import Float32Array, FloatArray
+from insole_core.given_file import read_given
+from insole_core.json_object import JsonObject
+from insole_core.sensing.correction import DisparityCorrection, parse_correction
+from insole_core.stored_arrays import pack_arrays, read_arrays
+
+VERSION = 1
+RAW_PER_PX = 8
+"""Raw numbers are eighths of a pixel of disparity."""
+_ROWS, _COLUMNS = 480, 640
+_MOST_BYTES = 64 * 2**20
+_MOST_FINE, _MOST_PX = 16, 1024
+_STEPS = 4
+"""A correction changes by far less than a raw unit over a raw unit."""
+
+
+@dataclass(frozen=True)
+class ReferenceRecord:
+    """Origin of a reference pattern.
+
+    Parameters
+    ----------
+    serial
+        Of the device.
+    made_at
+        ISO 8601, UTC.
+    figures
+        Results of its calibration by name.
+    version
+        Of the file format.
+    """
+
+    serial: str = ""
+    made_at: str = ""
+    figures: dict[str, float] = field(default_factory=dict)
+    version: int = VERSION
+
+
+@dataclass(frozen=True, eq=False)
+class InfraredReference:
+    """What the infrared camera of a device shows at every disparity.
+
+    A surface of the raw number r (with the device's distortion) shows at pixel (u, v) the pattern
+    at ``u + r / 8`` of row v.
+
+    Parameters
+    ----------
+    pattern : (480, width * fine) float32
+        Brightness, about 1 on average.
+    first_px
+        Place of its first column.
+    fine
+        Columns per pixel.
+    correction
+        The device's distortion of the pattern, in raw units.
+    record
+    """
+
+    pattern: Float32Array
+    first_px: int
+    fine: int
+    correction: DisparityCorrection
+    record: ReferenceRecord = field(default_factory=ReferenceRecord)
+
+    @cached_property
+    def _slope(self) -> Float32Array:
+        """Change of the pattern per pixel."""
+        slope = cv2.Sobel(self.pattern, cv2.CV_32F, 1, 0, ksize=1, scale=self.fine / 2)
+        return np.asarray(slope, np.float32)
+
+    def shown(
+        self, raw: FloatArray, corner: tuple[int, int] = (0, 0)
+    ) -> tuple[Float32Array, Float32Array]:
+        """Look up what the camera shows.
+
+        Parameters
+        ----------
+        raw : (height, width) float64, raw units
+            Of a part of the picture, with the distortion; NaN where unknown.
+        corner : (u, v), px
+            Position of ``raw[0, 0]`` in the picture.
+
+        Returns
+        -------
+        brightness, slope : (height, width) float32
+            Of the pattern, and its change per raw unit; 0 where `raw` is unknown or the pattern was
+            never seen.
+        """
+        height, width = raw.shape
+        u = np.arange(width) + (corner[0] - self.first_px)
+        across = (u + np.nan_to_num(raw, nan=-1e6) / RAW_PER_PX) * self.fine
+        down = np.repeat(np.arange(height, dtype=np.float32)[:, None] + corner[1], width, axis=1)
+        places = across.astype(np.float32), down
+        brightness, slope = (
+            cv2.remap(image, *places, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT)
+            for image in (self.pattern, self._slope)
+        )
+        return np.asarray(brightness), np.asarray(slope / np.float32(RAW_PER_PX))
+
+    def distorted(self, raw: FloatArray) -> FloatArray:
+        """Add the device's distortion to a whole image (480, 640) of ideal raw numbers."""
+        return distorted(raw, self.correction)
+
+    def save(self, path: Path) -> None:
+        """Write the .npz file of the session format.
+
+        Raises
+        ------
+        OutputError
+            When the place cannot be written; a file that was there before is untouched.
+        """
+        arrays = {
+            "pattern": self.pattern.astype(np.float16),
+            "first_px": np.array(self.first_px),
+            "fine": np.array(self.fine),
+            "reference": np.array(json.dumps(asdict(self.record))),
+            **self.correction.arrays(),
+        }
+        with replacing_file(path) as beside:
+            beside.write_bytes(pack_arrays(arrays))
+
+
+def distorted(raw: FloatArray, correction: DisparityCorrection) -> FloatArray:
+    """Add a distortion to ideal raw numbers (480, 640); inverse of `correction.corrected`."""
+    seen = raw
+    for _ in range(_STEPS):
+        seen = raw + correction.offset_at(seen)
+    return seen
+
+
+def load_reference(path: Path) -> InfraredReference:
+    """Read a file that `InfraredReference.save` wrote.
+
+    Raises
+    ------
+    InputError
+        When it is missing, damaged, no reference pattern, or of a newer version.
+    """
+    return parse_reference(path.name, read_given(path, _MOST_BYTES))
+
+
+def parse_reference(name: str, content: bytes) -> InfraredReference:
+    """Read the bytes of a reference pattern.
+
+    Parameters
+    ----------
+    name
+        Of the file, for messages.
+
+    Raises
+    ------
+    InputError
+        When it is damaged, no reference pattern, or of a newer version.
+    """
+    unreadable = InputError(
+        "{name} holds no readable infrared reference pattern; make it again by calibrate infrared.",
+        name=name,
+    )
+    try:
+        arrays = read_arrays(name, content, _MOST_BYTES)
+        record = _record(name, str(arrays["reference"]))
+        correction = parse_correction(name, content)
+        pattern, first, fine = (arrays[key] for key in ("pattern", "first_px", "fine"))
+    except (InputError, KeyError) as error:
+        raise unreadable from error
+    if record.version > VERSION:
+        raise InputError(
+            "{name} is of version {version}, which is newer than this program (it reads up to "
+            "{newest}); install a newer Insole Studio.",
+            name=name,
+            version=record.version,
+            newest=VERSION,
+        )
+    whole = all(number.shape == () and number.dtype.kind in "iu" for number in (first, fine))
+    if not (whole and 1 <= fine <= _MOST_FINE and abs(int(first)) <= _MOST_PX):
+        raise unreadable
+    height, width = pattern.shape if pattern.ndim == 2 else (0, 0)
+    if height != _ROWS or width < _COLUMNS * fine or pattern.dtype.kind != "f":
+        raise unreadable
+    values = pattern.astype(np.float32)
+    if not np.isfinite(values).all():
+        raise unreadable
+    return InfraredReference(values, int(first), int(fine), correction, record)
+
+
+def _record(name: str, text: str) -> ReferenceRecord:
+    root = JsonObject.parse(f"{name}: reference", text.encode(errors="surrogatepass"))
+    figures = root.object("figures")
+    return ReferenceRecord(
+        root.text("serial", empty=True),
+        root.text("made_at", empty=True),
+        {key: figures.number(key) for key in figures.values},
+        root.integer("version", 1, 1000),
+    )

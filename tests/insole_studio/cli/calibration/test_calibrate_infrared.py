@@ -1,0 +1,221 @@
+"""``insole-studio calibrate infrared`` on walls of a device whose dots are known."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from simulated_device import DISPARITY, SimulatedDevice, smooth_distortion, wall
+from simulated_folders import SENSOR
+from simulated_infrared import (
+    dots,
+    infrared_picture,
+    write_infrared,
+    write_infrared_walls,
+    write_sensor_beside,
+)
+
+from insole_core.geometry.arrays import Float32Array
+from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.infrared_reference import InfraredReference, load_reference
+from insole_studio.cli.main import run
+
+PLANES = (wall(620, 3, -2), wall(690, -4, 1), wall(740, 0, 4), wall(810, 2, -3), wall(880, -2, 2))
+DEVICE = SimulatedDevice(smooth_distortion(3, 3.0), disparity=DISPARITY)
+
+
+@dataclass(frozen=True)
+class Learnt:
+    """What was recorded once, and what was learnt from it."""
+
+    pattern: Float32Array
+    walls: Path
+    sensor: Path
+    out: Path
+
+    def copied(self, folder: Path) -> Path:
+        return Path(shutil.copytree(self.walls, folder / "walls"))
+
+    def learning(self, walls: Path, out: Path) -> list[str]:
+        return [
+            "calibrate",
+            "infrared",
+            str(walls),
+            "--sensor",
+            str(self.sensor),
+            "--out",
+            str(out),
+        ]
+
+    def checking(self, walls: Path, reference: Path) -> list[str]:
+        call = ["calibrate", "infrared", str(walls), "--sensor", str(self.sensor)]
+        return [*call, "--check", str(reference)]
+
+
+@pytest.fixture(scope="module")
+def learnt(tmp_path_factory: pytest.TempPathFactory) -> Learnt:
+    folder = tmp_path_factory.mktemp("infrared")
+    pattern = dots(1)
+    correction = DisparityCorrection(DEVICE.distortion_raw.astype(np.float32))
+    made = Learnt(
+        pattern,
+        write_infrared_walls(folder / "walls", DEVICE, pattern, PLANES),
+        write_sensor_beside(folder / "sensor", replace(SENSOR, correction=correction)),
+        folder / "reference.npz",
+    )
+    assert run(made.learning(made.walls, made.out)) == 0
+    return made
+
+
+@pytest.fixture(scope="module")
+def reference(learnt: Learnt) -> InfraredReference:
+    return load_reference(learnt.out)
+
+
+def test_the_pattern_is_learnt_finer_than_a_pixel(
+    learnt: Learnt, reference: InfraredReference
+) -> None:
+    v = slice(40, 440)
+    columns = np.arange(120 * reference.fine, 640 * reference.fine)
+    places = np.rint((columns / reference.fine + reference.first_px) * 8).astype(int)
+    seen, true = reference.pattern[v, columns], learnt.pattern[v, places]
+
+    assert np.corrcoef(seen.ravel(), true.ravel())[0, 1] > 0.97
+    assert reference.record.serial == "SIM1"
+    assert reference.record.figures["walls"] == 5
+    assert reference.record.figures["residual_raw"] < 0.35
+
+
+def test_the_distortion_of_the_device_is_that_of_its_infrared_pictures(
+    reference: InfraredReference,
+) -> None:
+    raw = np.full((480, 640), 600.0)
+    true = DEVICE.distortion_raw * np.exp(-DEVICE.decay * (raw - 650))
+    error = (reference.correction.offset_at(raw) - true)[24:-24, 24:-24]
+
+    assert np.sqrt(np.mean((error - error.mean()) ** 2)) < 0.3
+
+
+def test_one_wall_says_whether_the_pattern_still_holds(
+    learnt: Learnt,
+    capsys: pytest.CaptureFixture[str],
+    last_line: Callable[[], str],
+    tmp_path: Path,
+) -> None:
+    assert run(learnt.checking(learnt.walls, learnt.out)) == 0
+    assert "The pattern still holds" in capsys.readouterr().out
+
+    drifted = learnt.copied(tmp_path)
+    raw = DEVICE.distorted(PLANES[0]) + 0.8  # a tenth of a pixel
+    write_infrared(drifted / "infrared_00.png", 64 * infrared_picture(learnt.pattern, raw, 9))
+    assert run(learnt.checking(drifted, learnt.out)) == 1
+    assert "The pattern has drifted by 0.1" in last_line()
+
+    other = 64 * infrared_picture(dots(2), raw, 9)
+    write_infrared(drifted / "infrared_00.png", other)
+    assert run(learnt.checking(drifted, learnt.out)) == 1
+    assert "shows another pattern" in last_line()
+
+
+def _fewer(walls: Path) -> None:
+    for number in (3, 4):
+        (walls / f"infrared_{number:02d}.png").unlink()
+
+
+def _without_depth(walls: Path) -> None:
+    (walls / "depth_02.png").unlink()
+
+
+def _half(walls: Path) -> None:
+    path = walls / "infrared_02.png"
+    path.write_bytes(path.read_bytes()[:100])
+
+
+def _small(walls: Path) -> None:
+    write_infrared(walls / "infrared_02.png", np.full((240, 320), 5000.0))
+
+
+def _saturated(walls: Path) -> None:
+    write_infrared(walls / "infrared_02.png", np.full((480, 640), 65535.0))
+
+
+def _dark(walls: Path) -> None:
+    write_infrared(walls / "infrared_02.png", np.full((480, 640), 520.0))
+
+
+def _of_another(walls: Path) -> None:
+    write_sensor_beside(walls / "other", replace(SENSOR, serial="SIM2")).rename(
+        walls / "sensor.json"
+    )
+
+
+def _no_plane(walls: Path) -> None:
+    hill = 40 * np.exp(-((np.mgrid[-1:1:480j, -1:1:640j] * 2) ** 2).sum(0))
+    raw = DEVICE.distorted(PLANES[0])
+    for number in (2, 3):
+        curved = np.round(raw + hill).astype(np.uint16)
+        write_depth(walls / f"depth_{number:02d}.png", curved)
+
+
+def write_depth(path: Path, raw: np.ndarray) -> None:
+    write_infrared(path, raw.astype(float))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "sentence"),
+    [
+        (_fewer, "Only 3 walls can be used"),
+        (_without_depth, "depth_02.png is missing beside infrared_02.png"),
+        (_half, "infrared_02.png is no readable image"),
+        (_small, "infrared_02.png is no infrared picture of 640×480"),
+        (_saturated, "infrared_02.png is saturated"),
+        (_dark, "infrared_02.png is almost dark"),
+        (_of_another, "were recorded with sensor SIM2"),
+        (_no_plane, "infrared_02.png shows no plane"),
+    ],
+)
+def test_walls_that_teach_no_pattern_are_told_in_a_sentence(
+    spoil: Callable[[Path], None],
+    sentence: str,
+    learnt: Learnt,
+    tmp_path: Path,
+    last_line: Callable[[], str],
+) -> None:
+    walls, out = learnt.copied(tmp_path), tmp_path / "reference.npz"
+    spoil(walls)
+
+    assert run(learnt.learning(walls, out)) == 1
+    assert sentence in last_line()
+    assert not out.exists()
+
+
+def test_walls_that_show_too_little_or_lie_at_one_distance_are_refused(
+    learnt: Learnt, tmp_path: Path, last_line: Callable[[], str]
+) -> None:
+    walls, out = tmp_path / "walls", tmp_path / "reference.npz"
+    near = [wall(700 + step, 2 * step, -step) for step in (0, 1, 2, 3)]
+    write_infrared_walls(walls, DEVICE, learnt.pattern, near)
+
+    assert run(learnt.learning(walls, out)) == 1
+    assert "All walls lie between" in last_line()
+
+
+def test_a_spoilt_or_foreign_reference_is_refused(
+    learnt: Learnt, reference: InfraredReference, tmp_path: Path, last_line: Callable[[], str]
+) -> None:
+    half, newer, foreign = (tmp_path / name for name in ("half.npz", "newer.npz", "foreign.npz"))
+    half.write_bytes(learnt.out.read_bytes()[:100_000])
+    replace(reference, record=replace(reference.record, version=2)).save(newer)
+    replace(reference, record=replace(reference.record, serial="SIM2")).save(foreign)
+
+    for path, sentence in (
+        (half, "half.npz holds no readable infrared reference pattern"),
+        (newer, "newer.npz is of version 2"),
+        (foreign, "The reference pattern is of sensor SIM2"),
+    ):
+        assert run(learnt.checking(learnt.walls, path)) == 1
+        assert sentence in last_line()
