@@ -63,10 +63,12 @@ def _run_step(
     from insole_core.errors import CalibrationError
     from insole_core.sensing.sensor import nominal_kinect
     from insole_core.workflows.calibration.report_files import keep_step
+    from insole_core.workflows.calibration.sensor_store import delivering_raw_numbers
 
     check_reports(arguments)
     store = store_of(arguments)
     known = store.load(arguments.serial) or nominal_kinect(arguments.serial)
+    delivering_raw_numbers(known)
     result = work(known, progress.part(0, 0.9))
     if result.doubt and not arguments.insist:
         raise CalibrationError(

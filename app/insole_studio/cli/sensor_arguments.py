@@ -63,7 +63,9 @@ def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
     ------
     InsoleError
     """
-    sensor = _named_sensor(arguments)
+    from insole_core.workflows.calibration.sensor_store import delivering_raw_numbers
+
+    sensor = delivering_raw_numbers(_named_sensor(arguments))
     if arguments.correction is None and sensor.correction is None:
         return sensor
     from datetime import UTC, datetime

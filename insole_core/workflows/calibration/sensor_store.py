@@ -32,6 +32,24 @@ def sensors_folder_of_user() -> Path:
     return platformdirs.user_data_path("insole-studio", appauthor=False) / "sensors"
 
 
+def delivering_raw_numbers(sensor: Sensor) -> Sensor:
+    """Return a sensor, if walls and boards in its raw numbers can calibrate or evaluate it.
+
+    Raises
+    ------
+    InputError
+        When it delivers millimetres.
+    """
+    if sensor.depth_unit_mm is not None:
+        raise InputError(
+            "Sensor {serial} is a {model}, which delivers millimetres; only Kinects, which deliver "
+            "raw numbers, are calibrated and evaluated with walls and boards.",
+            serial=sensor.serial,
+            model=sensor.model,
+        )
+    return sensor
+
+
 class SensorStore:
     """Storage of ``sensor.json``, ``correction.npz`` and the reports of every sensor.
 

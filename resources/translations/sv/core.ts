@@ -2592,6 +2592,10 @@
             <translation>Sett bakifrån, vinklar dubbelt så stora. Blått: akillessena; brunt: hälben; grått: fotsulans normal (streckad), skanningens lodlinje (prickad). En vinkel är 0 där dess två linjer är en. Valgus: hälen lutar utåt under benet; medial: benet lutar mot den andra foten. I filer är valgus och medial över 0; för framfoten är varus det.</translation>
         </message>
         <message>
+            <source>Sensor {serial} is a {model}, which delivers millimetres; only Kinects, which deliver raw numbers, are calibrated and evaluated with walls and boards.</source>
+            <translation>Sensor {serial} är en {model}, som ger millimeter; bara Kinect, som ger råtal, kalibreras och utvärderas med väggar och tavlor.</translation>
+        </message>
+        <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
             <translation>Sensor {serial} är inte kalibrerad; fabrikens värden används, vilka är flera millimeter mindre noggranna.</translation>
         </message>

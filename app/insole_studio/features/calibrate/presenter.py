@@ -14,7 +14,7 @@ from insole_core.sensing.sensor import Sensor, nominal_kinect
 from insole_core.workflows.calibration.picture_folders import LiveKind
 from insole_core.workflows.calibration.picture_readiness import Readiness
 from insole_core.workflows.calibration.report_files import keep_step, step_date
-from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_core.workflows.calibration.sensor_store import SensorStore, delivering_raw_numbers
 from insole_core.workflows.calibration.steps import StepResult
 from insole_studio.features.calibrate.calibration_steps import STEPS, CalibrationStep
 from insole_studio.features.calibrate.rows import BoardSize, CalibrateButtons, LookRow, StepRow
@@ -114,8 +114,8 @@ class CalibratePresenter:
         self._serial, self._sensor = serial.strip(), None
         try:
             if self._serial:
-                known = self._store.load(self._serial)
-                self._sensor = known or nominal_kinect(self._serial)
+                known = self._store.load(self._serial) or nominal_kinect(self._serial)
+                self._sensor = delivering_raw_numbers(known)
         except InsoleError as error:
             self._open(self._step)
             self._panel.show_error(str(error))

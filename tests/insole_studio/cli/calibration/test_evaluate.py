@@ -114,6 +114,21 @@ def test_correction_of_another_sensor(recorded, tmp_path: Path, perfect, capsys)
     assert "Warning: The correction was measured on sensor SIM1" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("words", [["evaluate", "wall"], ["calibrate", "distortion"]])
+def test_walls_are_not_for_a_camera_of_millimetres(
+    recorded, tmp_path: Path, last_line, words: list[str]
+) -> None:
+    kept = shutil.copytree(recorded.sensors / "SIM1", tmp_path / "SIM1")
+    values = json.loads((kept / "sensor.json").read_text())
+    del values["disparity"]
+    values.pop("disparity_correction", None)
+    values |= {"model": "realsense-d415", "depth_unit_mm": 0.1}
+    (kept / "sensor.json").write_text(json.dumps(values))
+    walls = write_walls(tmp_path / "walls", SimulatedDevice(np.zeros((480, 640))), WALLS[:1], 1)
+    assert run([*words, str(walls), "--serial", "SIM1", "--sensors", str(tmp_path)]) == 1
+    assert "Sensor SIM1 is a realsense-d415, which delivers millimetres; only" in last_line()
+
+
 def test_resolution(perfect: list[str], tmp_path: Path) -> None:
     device = SimulatedDevice(np.zeros((480, 640)))
     walls = write_walls(tmp_path / "walls", device, [wall(700), wall(950)], 1)
