@@ -15,12 +15,15 @@ from insole_core.contact.change import (
     pressure_change,
 )
 from insole_core.contact.designs import Shoe
+from insole_core.contact.dose import DoseCurve, dose_curve, dosed
 from insole_core.contact.load_case import Posture
 from insole_core.contact.stance import Ground, Sole
 from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
+from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.primitives.height_field import HeightField
+from insole_core.insole.surface.pads_on_surface import apply_pads
 from insole_core.progress import Progress
 from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_studio.document.case import Case
@@ -47,6 +50,23 @@ class LoadQuestion:
     weight_kg: float
     posture: Posture = Posture.STANDING
     variant: str = ""
+
+
+@dataclass(frozen=True)
+class Target:
+    """A change that is asked for, of a region, by the height of a pad.
+
+    Parameters
+    ----------
+    pad_id
+    region
+        One of `GROUPS`.
+    percent
+    """
+
+    pad_id: str
+    region: str
+    percent: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,6 +115,11 @@ class LoadView(QObject):
         self.change: Change | None = None
         self.limits: PressureChange | None = None
         """None while they are computed."""
+        self.curve: DoseCurve | None = None
+        """By the target; None without one, and while it is computed."""
+        self._target: Target | None = None
+        self._limited: tuple[_Task, Change] | None = None
+        """Of what the limits were computed."""
         self.problem = ""
         surface.changed.connect(self._refresh)
         case.changed.connect(self._refresh)
@@ -109,6 +134,15 @@ class LoadView(QObject):
         self._is_computing = False
         self._show(None)
         self._refresh()
+
+    def aim(self, target: Target | None) -> None:
+        """Compute by which dose a target is reached; None for none."""
+        if target == self._target:
+            return
+        self._target, self.curve = target, None
+        self.told.emit()
+        if self._limited is not None:
+            self._find_dose(*self._limited)
 
     @property
     def names_material(self) -> bool:
@@ -171,7 +205,28 @@ class LoadView(QObject):
             )
 
         def take(told: PressureChange) -> None:
-            self.limits = told
+            self.limits, self._limited = told, (task, change)
+            self.told.emit()
+            self._find_dose(task, change)
+
+        self._jobs.start(CHANNEL, compute, take, self._refuse)
+
+    def _find_dose(self, task: _Task, change: Change) -> None:
+        target, base = self._target, self._surface.base
+        pad = None if target is None else task.design.found(target.pad_id, Pelott)
+        if target is None or pad is None or base is None:
+            return
+
+        def compute(progress: Progress) -> DoseCurve | None:
+            sole = Sole.of(task.foot)
+            grounds = (
+                (dose, task.shoe.insole(sole, design, apply_pads(base, design)))
+                for dose, design in dosed(task.design, pad)
+            )
+            return dose_curve(task.loading(), change, grounds, target.region, progress)
+
+        def take(curve: DoseCurve | None) -> None:
+            self.curve = curve
             self.told.emit()
 
         self._jobs.start(CHANNEL, compute, take, self._refuse)
@@ -190,5 +245,6 @@ class LoadView(QObject):
 
     def _show(self, change: Change | None, problem: str = "") -> None:
         self.change, self.limits, self.problem = change, None, problem
+        self.curve, self._limited = None, None
         self.changed.emit()
         self.told.emit()

@@ -20,8 +20,20 @@
             <translation>Mellan (95 %)</translation>
         </message>
         <message>
+            <source>By the model {dose} mm reach {percent}; but it cannot tell of this region.</source>
+            <translation>Enligt modellen når {dose} mm {percent}; men om det här området kan den inte säga något.</translation>
+        </message>
+        <message>
+            <source>By the model {dose} mm reach {percent}; the limits of the table hold.</source>
+            <translation>Enligt modellen når {dose} mm {percent}; tabellens gränser gäller.</translation>
+        </message>
+        <message>
             <source>Change of pressure</source>
             <translation>Ändring av trycket</translation>
+        </message>
+        <message>
+            <source>Change there</source>
+            <translation>Ändring där</translation>
         </message>
         <message>
             <source>Click two points whose distance is known</source>
@@ -148,6 +160,10 @@
             <translation>Flyttar den längs foten; &gt; 0 är mot tårna</translation>
         </message>
         <message>
+            <source>No height of the pad that was tried reaches this change.</source>
+            <translation>Ingen prövad höjd på pelotten når den ändringen.</translation>
+        </message>
+        <message>
             <source>Not known</source>
             <translation>Okänt</translation>
         </message>
@@ -256,6 +272,14 @@
             <translation>Ännu att ange: {list}</translation>
         </message>
         <message>
+            <source>Target in</source>
+            <translation>Mål i</translation>
+        </message>
+        <message>
+            <source>The design has no pad whose height could be varied.</source>
+            <translation>Designen har ingen pelott vars höjd kunde varieras.</translation>
+        </message>
+        <message>
             <source>The design names no material; foam of Shore A {hardness} is assumed.</source>
             <translation>Designen anger inget material; skum med Shore A {hardness} antas.</translation>
         </message>
@@ -306,6 +330,10 @@
         <message>
             <source>no pressure</source>
             <translation>inget tryck</translation>
+        </message>
+        <message>
+            <source>no target</source>
+            <translation>inget mål</translation>
         </message>
         <message>
             <source>per inch</source>

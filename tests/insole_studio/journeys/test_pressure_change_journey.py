@@ -71,6 +71,15 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     settle()
     assert load.limits is not None
 
+    dialog.region.setCurrentIndex(dialog.region.findData("heel"))
+    dialog.percent.show_value(-10.0)
+    dialog.region.activated.emit(dialog.region.currentIndex())
+    settle()
+    assert load.curve is not None
+    assert load.curve.doses_mm[0] == 0
+    assert not dialog.chart.isHidden()
+    assert not dialog.dose.isHidden()
+
     dialog.reject()
     settle()
     assert load.change is None

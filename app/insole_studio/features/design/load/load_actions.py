@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from insole_core.contact.change import GROUPS, Told
 from insole_core.contact.hardness import USUAL_SHORE_A
-from insole_studio.document.load_view import LoadView
+from insole_core.insole.elements import Pelott
+from insole_studio.document.load_view import LoadView, Target
 from insole_studio.features.design.actions.view_actions import SideBySideActions
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.services.app_services import AppServices
@@ -28,6 +30,7 @@ class LoadActions:
         self._dialog: LoadDialog | None = None
         load.told.connect(self._show_told)
         self._case.changed.connect(self._show_variants)
+        self._case.selection_changed.connect(self._aim)
 
     def leave_case(self) -> None:
         """Close the window before another case comes: its weight is that of this person."""
@@ -47,6 +50,7 @@ class LoadActions:
                 dialog.weight.show_value(design.shell.body_weight_kg)
             dialog.asked.connect(self._ask)
             dialog.finished.connect(self._close)
+            dialog.offer_regions(_regions())
             self._show_variants()
             dialog.show()
             self._ask()
@@ -58,10 +62,54 @@ class LoadActions:
             self._services.settings.pressure_change_read = True
             self._services.save_settings()
         self._load.ask(self._dialog.question)
+        self._aim()
         self._show_told()
+
+    def _aim(self) -> None:
+        """Aim at the target, by the selected pad, or else by the first of the design."""
+        dialog, design = self._dialog, self._case.record.design
+        if dialog is None or design is None:
+            return
+        pads = design.of(Pelott)
+        pad = design.found(self._case.selection, Pelott) or (pads[0] if pads else None)
+        region = dialog.region.currentData()
+        if pad is None or not region or not dialog.is_read:
+            self._load.aim(None)
+        else:
+            self._load.aim(Target(pad.id, region, dialog.percent.value()))
+        self._show_told()
+
+    def _show_dose(self, dialog: LoadDialog) -> None:
+        """Say which dose of the pad reaches the target, and show the curve."""
+        curve, percent, region = (
+            self._load.curve,
+            dialog.percent.value(),
+            dialog.region.currentData(),
+        )
+        design = self._case.record.design
+        told = None if self._load.limits is None else self._load.limits.regions.get(region)
+        dialog.chart.show_curve(curve, percent)
+        if not region or design is None:
+            dialog.dose.say("")
+        elif not design.of(Pelott):
+            dialog.dose.say(tr("The design has no pad whose height could be varied."))
+        elif curve is None:
+            dialog.dose.say("")
+        elif (dose := curve.reaching(percent)) is None:
+            dialog.dose.say(tr("No height of the pad that was tried reaches this change."))
+        else:
+            texts = {"dose": localised(dose), "percent": _signed(percent)}
+            doubtful = told is None or bool(told.reason)
+            template = (
+                tr("By the model {dose} mm reach {percent}; but it cannot tell of this region.")
+                if doubtful
+                else tr("By the model {dose} mm reach {percent}; the limits of the table hold.")
+            )
+            dialog.dose.say(fill(template, **texts))
 
     def _close(self) -> None:
         self._dialog = None
+        self._load.aim(None)
         self._load.ask(None)
         if self._side_by_side.map_kind is MapKind.LOAD:
             self._side_by_side.show_map(MapKind.NONE)
@@ -87,12 +135,15 @@ class LoadActions:
             hardness=localised(USUAL_SHORE_A, ".0f"),
         )  # fmt: skip
         dialog.assumed.say(assumed)
+        self._show_dose(dialog)
         change = load.change
         if change is None:
             dialog.show_rows([], "")
+            dialog.reasons.say("")
             return
         told = {} if load.limits is None else load.limits.regions
         rows = [_row(name, text, told.get(name)) for name, text in _regions().items()]
+        dialog.reasons.say_all(_reasons(told))  # before the rows, which make room for all
         old, new = (localised(mm2 / 100, ".0f") for mm2 in change.areas_mm2)
         dialog.show_rows(rows, fill(tr("Contact {old} → {new} cm²"), old=old, new=new))
 
@@ -103,9 +154,18 @@ def _row(name: str, text: str, told: Told | None) -> TableRow:
         return TableRow(name, (text, "…", "…"))
     if told.reason or told.percent is None or told.limits is None:
         reason = translate_core_message(told.reason)
-        return TableRow(name, (text, tr("cannot tell"), reason), attention=True, tip=reason)
+        return TableRow(name, (text, tr("cannot tell"), "–"), tip=reason)
     low, high = told.limits
     return TableRow(name, (text, _signed(told.percent), f"{_signed(low)} … {_signed(high)}"))
+
+
+def _reasons(told: Mapping[str, Told]) -> list[str]:
+    """Return why nothing is told of some regions, a line for each reason."""
+    regions: dict[str, list[str]] = {}
+    for name, text in _regions().items():
+        if name in told and told[name].reason:
+            regions.setdefault(translate_core_message(told[name].reason), []).append(text)
+    return [f"{', '.join(names)}: {reason}" for reason, names in regions.items()]
 
 
 def _signed(percent: float) -> str:

@@ -19,14 +19,16 @@ from PySide6.QtWidgets import (
 from insole_core.contact.change import SENTENCE, WEIGHT_KG
 from insole_core.contact.load_case import Posture
 from insole_studio.document.load_view import LoadQuestion
+from insole_studio.features.design.load.dose_chart import DoseChart
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_parts import ComboBox, mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.row_table import RowTable, TableRow
 
-_WIDTH_PX, _TABLE_PX = 470, 290
+_WIDTH_PX, _TABLE_PX = 520, 190
 _FLAT = ""
+_USUAL_TARGET = -20.0
 
 
 class LoadDialog(QDialog):
@@ -55,6 +57,12 @@ class LoadDialog(QDialog):
         )
         self.table.setMinimumHeight(_TABLE_PX)
         self.area = QLabel()
+        self.region = ComboBox([(_FLAT, tr("no target"))])
+        self.percent = NumberField("%", least=-100, greatest=100, step=5, decimals=0)
+        self.percent.show_value(_USUAL_TARGET)
+        self.chart = DoseChart()
+        self.reasons = MessageLabel("quiet")
+        self.dose = MessageLabel("quiet")
         self.problem = MessageLabel("warning")
         self.assumed = MessageLabel("quiet")
         self.was_read = QCheckBox(tr("I have read what this can tell and what it cannot"))
@@ -68,7 +76,7 @@ class LoadDialog(QDialog):
         self.was_read.toggled.connect(self.go_on.setEnabled)
         self.go_on.setEnabled(False)
         self.go_on.clicked.connect(self._begin)
-        for field in (self.weight, self.posture, self.against):
+        for field in (self.weight, self.posture, self.against, self.region, self.percent):
             field.edited.connect(self._ask)
 
     @property
@@ -93,10 +101,24 @@ class LoadDialog(QDialog):
             self.against.addItem(name, name)
         self.against.show_value(before if before in names else _FLAT)
 
+    def offer_regions(self, names: dict[str, str]) -> None:
+        """Offer regions, by their names, in which a target can be."""
+        for name, text in names.items():
+            self.region.addItem(text, name)
+
     def show_rows(self, rows: Sequence[TableRow], area: str) -> None:
         """Show what is told of the regions, and the area of contact."""
         self.table.show_rows(rows)
         self.area.setText(area)
+        self._make_room()
+
+    def _make_room(self) -> None:
+        """Grow with what is told; else it would be squeezed."""
+        for part in (self._pages.currentWidget(), self):
+            if (layout := part.layout()) is not None:
+                layout.activate()
+        height = max(self.height(), self.heightForWidth(self.width()), self.sizeHint().height())
+        self.resize(self.width(), height)
 
     def _ask(self, _value: object) -> None:
         self.asked.emit()
@@ -139,6 +161,8 @@ class LoadDialog(QDialog):
             (tr("Body weight"), self.weight),
             (tr("Posture"), self.posture),
             (tr("Compared with"), self.against),
+            (tr("Target in"), self.region),
+            (tr("Change there"), self.percent),
         ):
             form.addRow(label, field)
         mark_labels(form)
@@ -148,7 +172,10 @@ class LoadDialog(QDialog):
         layout = QVBoxLayout(page)
         layout.setSpacing(12)
         layout.addLayout(form)
-        for part in (self.problem, self.table, self.area, self.assumed, sentence):
+        for part in (
+            self.problem, self.table, self.reasons, self.area, self.dose, self.chart, self.assumed,
+            sentence,
+        ):  # fmt: skip
             layout.addWidget(part)
         return page
 
