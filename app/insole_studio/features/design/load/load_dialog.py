@@ -69,7 +69,8 @@ class LoadDialog(QDialog):
         self.go_on = QPushButton(tr("Show the change"))
         self._pages = QStackedWidget()
         self._pages.addWidget(self._page_to_read())
-        self._pages.addWidget(self._answer())
+        self._told = self._answer()
+        self._pages.addWidget(self._told)
         layout = QVBoxLayout(self)
         layout.addWidget(self._pages)
         self._pages.setCurrentIndex(int(is_read))
@@ -114,8 +115,8 @@ class LoadDialog(QDialog):
 
     def _make_room(self) -> None:
         """Grow with what is told; else it would be squeezed."""
-        for part in (self._pages.currentWidget(), self):
-            if (layout := part.layout()) is not None:
+        for layout in (self._told.layout(), self.layout()):
+            if layout is not None:
                 layout.activate()
         height = max(self.height(), self.heightForWidth(self.width()), self.sizeHint().height())
         self.resize(self.width(), height)
