@@ -12,7 +12,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray, Float32Array, FloatArray, RawArray
+from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, FloatArray, RawArray
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.pinhole_camera import PinholeCamera
 
@@ -124,23 +124,24 @@ def binned(numbers: RawArray, size: int) -> RawArray:
     """
     if size == 1:
         return numbers
-    height, width = (side // size for side in numbers.shape)
-    parts = [
-        numbers[row : height * size : size, column : width * size : size].astype(np.int32)
-        for row in range(size)
-        for column in range(size)
-    ]
-    total, count = np.zeros((height, width), np.int32), np.zeros((height, width), np.int32)
-    low, high = np.full((height, width), NO_NUMBER), np.zeros((height, width), np.int32)
-    for part in parts:
-        known = part < NO_NUMBER
-        total += part * known
-        count += known
-        np.minimum(low, part, out=low)
-        np.maximum(high, part * known, out=high)
-    one_surface = (2 * count >= size**2) & (high - low < _JUMP_RAW * NUMBERS_PER_RAW)
+    known = numbers < NO_NUMBER
+    filled = np.where(known, numbers, np.uint16(0))
+    low = np.minimum.reduce(_in_squares(numbers, size))
+    high = np.maximum.reduce(_in_squares(filled, size))
+    total = np.add.reduce(_in_squares(filled, size), dtype=np.uint32)
+    count = np.add.reduce(_in_squares(known, size), dtype=np.uint16)
+    jumps = high.astype(np.int32) - low >= _JUMP_RAW * NUMBERS_PER_RAW
     mean = np.rint(total / np.maximum(count, 1))
+    one_surface = (2 * count >= size**2) & ~jumps
     return np.where(one_surface, mean, NO_NUMBER).astype(np.uint16)
+
+
+def _in_squares(image: RawArray | BoolArray, size: int) -> list[RawArray | BoolArray]:
+    """Return the first pixel of every square, then the second, and so on."""
+    height, width = (side // size * size for side in image.shape)
+    return [
+        image[row:height:size, column:width:size] for row in range(size) for column in range(size)
+    ]
 
 
 def binned_camera(camera: PinholeCamera, size: int) -> PinholeCamera:
