@@ -112,6 +112,8 @@ class _Built:
         app.window.show_panels()
         self._wait()
         for key, checked in self._checked.items():
+            if key.startswith("tool_"):  # the next case takes it out of the hand
+                continue
             action = app.window.actions_by_key[key]
             if action.isChecked() != checked and (checked or action.actionGroup() is None):
                 action.trigger()
@@ -125,8 +127,8 @@ class _Built:
         app.services.messages.clear()
         app.services.notices.drop_all()
         app.window.restore_layout("", "")
-        self._wait()
         self.show()
+        self._wait()
         app.window.arrange()
         QApplication.processEvents()
         app.autosave.forget()
@@ -134,9 +136,9 @@ class _Built:
         return self._state()
 
     def _wait(self) -> None:
-        wait_for(self.app.jobs)
-        wait_for(self.app.services.clinic.jobs)
-        wait_for(self.app.jobs)
+        both = self.app.jobs, self.app.services.clinic.jobs
+        while running := [jobs for jobs in both if jobs.is_running()]:
+            wait_for(running[0])
 
     def _state(self) -> list[str]:
         app, window = self.app, self.app.window

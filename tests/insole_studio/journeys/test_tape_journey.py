@@ -15,7 +15,7 @@ from insole_core.insole.elements import Pelott
 from insole_studio.app.bootstrap import Application
 from insole_studio.scene.scene_view import SceneView
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.one_window]
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -70,6 +70,8 @@ def test_a_tape_is_laid_led_on_dragged_and_taken_back(opened: Application, foot:
     assert opened.case.record is before, "the tape is no part of the prescription"
 
 
+@pytest.mark.own_window
+@pytest.mark.fine
 def test_a_tape_over_a_pad_is_longer_than_the_straight_way_and_goes_with_a_changed_insole(
     opened: Application, foot: SceneView
 ) -> None:
