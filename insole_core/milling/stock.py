@@ -114,17 +114,17 @@ class Stock:
     def is_wide(self, way_mm: FloatArray, cutter: Cutter, depth_mm: float, width_mm: float) -> bool:
         """Tell whether a cutter cuts deeper than that on a way (n, 3), and somewhere wider."""
         i, j, above = _under(cutter, self._step_mm)
-        along = np.gradient(way_mm[:, :2], axis=0)
+        along = np.diff(way_mm[:, :2], axis=0)
         along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
-        for part in _parts(len(way_mm), len(i)):
-            nodes, low = self._met(way_mm[part], (i, j, above))
-            deep = self._all.reshape(-1)[nodes] - low > depth_mm
-            across = along[part, :1] * j - along[part, 1:] * i
-            most = across.max(axis=1, where=deep, initial=-np.inf)
-            least = across.min(axis=1, where=deep, initial=np.inf)
-            if ((most - least + 1) * self._step_mm > width_mm).any():
-                return True
-        return False
+        most, least = np.full(len(along), -np.inf), np.full(len(along), np.inf)
+        for ends in (way_mm[:-1], way_mm[1:]):
+            for part in _parts(len(ends), len(i)):
+                nodes, low = self._met(ends[part], (i, j, above))
+                deep = self._all.reshape(-1)[nodes] - low > depth_mm
+                across = along[part, :1] * j - along[part, 1:] * i
+                most[part] = across.max(axis=1, where=deep, initial=-np.inf).clip(most[part])
+                least[part] = across.min(axis=1, where=deep, initial=np.inf).clip(max=least[part])
+        return bool(((most - least + 1) * self._step_mm > width_mm).any())
 
     def cut(self, path_mm: FloatArray, cutter: Cutter) -> None:
         """Take away what a cutter meets on a path (n, 3) of its tip."""

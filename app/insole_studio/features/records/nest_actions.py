@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 
 from insole_core.cases.case_record import Patient
 from insole_core.errors import InsoleError
@@ -42,6 +42,9 @@ class NestActions(QObject):
         self._tell = services.messages.show_error
         self.dialog: NestDialog | None = None
         """The one that is open."""
+        self._copies: set[Path] = set()
+        # Queued: when the copies are there, the job that reads them has begun by then.
+        services.jobs.ended.connect(self._remove_copies, Qt.ConnectionType.QueuedConnection)
 
     def ask(self, orders: Sequence[OrderSummary]) -> None:
         """Ask which of the orders are nested, and how."""
@@ -89,6 +92,7 @@ class NestActions(QObject):
         if there and not questions.may_replace(there):
             return
         folder = self._services.paths.papers_folder / uuid.uuid4().hex
+        self._copies.add(folder)
         numbers = {order.id: order.number for order in orders}
 
         def copy(records: Records) -> dict[str, tuple[Path, ...]]:
@@ -100,17 +104,11 @@ class NestActions(QObject):
                 files[numbers[order_id]] = records.orders.copy_files(order_id, place)
             return files
 
-        def missed(error: Exception) -> None:
-            shutil.rmtree(folder, ignore_errors=True)
-            self._tell(error)
-
         self._services.clinic.ask(
-            NESTING, copy, lambda files: self._nest(choice, files, folder, out), missed
+            NESTING, copy, lambda files: self._nest(choice, files, out), self._tell
         )
 
-    def _nest(
-        self, choice: NestChoice, files: dict[str, tuple[Path, ...]], folder: Path, out: Path
-    ) -> None:
+    def _nest(self, choice: NestChoice, files: dict[str, tuple[Path, ...]], out: Path) -> None:
         from insole_core.workflows.nest_orders import (
             gathered,
             has_pieces,
@@ -120,29 +118,33 @@ class NestActions(QObject):
         )
 
         def task(progress: Progress) -> tuple[int, WrittenNest]:
-            try:
-                missing = [number for number, copies in files.items() if not has_pieces(copies)]
-                pieces = gathered(
-                    pieces_of_files(copies, number)
-                    for number, copies in files.items()
-                    if number not in missing
-                )
-                nest = nest_pieces(
-                    pieces, choice.block,
-                    gap_mm=choice.gap_mm, margin_mm=choice.margin_mm,
-                    across=choice.milling is None, marked=choice.marked, missing=missing,
-                    progress=progress.part(0.0, 0.6),
-                )  # fmt: skip
-                written = write_nest(
-                    nest, out,
-                    title=out.stem, milling=choice.milling, translate=translate_core_message,
-                    progress=progress.part(0.6, 1.0),
-                )  # fmt: skip
-            finally:
-                shutil.rmtree(folder, ignore_errors=True)
+            missing = [number for number, copies in files.items() if not has_pieces(copies)]
+            pieces = gathered(
+                pieces_of_files(copies, number)
+                for number, copies in files.items()
+                if number not in missing
+            )
+            nest = nest_pieces(
+                pieces, choice.block,
+                gap_mm=choice.gap_mm, margin_mm=choice.margin_mm,
+                across=choice.milling is None, marked=choice.marked, missing=missing,
+                progress=progress.part(0.0, 0.6),
+            )  # fmt: skip
+            written = write_nest(
+                nest, out,
+                title=out.stem, milling=choice.milling, translate=translate_core_message,
+                progress=progress.part(0.6, 1.0),
+            )  # fmt: skip
             return len(nest.pieces), written
 
         self._services.run(NESTING, task, lambda done: self._say(*done, out))
+
+    def _remove_copies(self, channel: str) -> None:
+        """Remove the copies for nests that have ended, also where they were cancelled."""
+        if channel != NESTING or self._services.jobs.is_running(NESTING):
+            return
+        while self._copies:
+            shutil.rmtree(self._copies.pop(), ignore_errors=True)
 
     def _say(self, count: int, written: WrittenNest, out: Path) -> None:
         sentence = tr("{count} pieces are nested in {name}.")

@@ -32,6 +32,7 @@ from insole_core.solids.simplification import from_manifold
 from insole_core.workflows.order_package import Ordered
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
+from insole_studio.features.records.nest_actions import NESTING
 from insole_studio.features.records.order_files import OrderFiles
 from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
 
@@ -431,10 +432,6 @@ def test_orders_of_the_page_are_nested_on_a_sheet(
     texts = [dialog.orders.item(row).text() for row in range(dialog.orders.count())]
     assert len(texts) == 3
     assert all("Anna Berg" in text for text in texts)
-    for row in range(3):
-        item = dialog.orders.item(row)
-        if item.data(Qt.ItemDataRole.UserRole) == order.id:  # has no files
-            item.setCheckState(Qt.CheckState.Unchecked)
     dialog.block.show_value("")
     dialog.block.edited.emit("")
     for field, side in zip(dialog.sides, (600, 300, 20), strict=True):
@@ -442,6 +439,8 @@ def test_orders_of_the_page_are_nested_on_a_sheet(
     questions.path = tmp_path / "day.3mf"
     QTest.mouseClick(dialog.nest, LEFT)
     rest()
+    said = " ".join(notice.text for notice in clinic.services.notices.notices)
+    assert f"Order {order.number} has no solids and does not lie here" in said
     assert {path.name for path in tmp_path.glob("day*")} == {
         "day.3mf", "day.dxf", "day-pieces.pdf"
     }  # fmt: skip
@@ -450,6 +449,17 @@ def test_orders_of_the_page_are_nested_on_a_sheet(
     assert all(f"{number} {side}" in model for number in ("26-A", "26-B") for side in Side)
     assert "Berg" not in model + (tmp_path / "day.dxf").read_text()
     assert [records.orders.get(each.id).state for each in written] == 2 * [OrderState.DESIGNED]
+    papers = clinic.services.paths.papers_folder
+    assert not [*papers.iterdir()]
+    QTest.mouseClick(page.nest_button, LEFT)
+    dialog = clinic.features.records.nest_actions.dialog
+    assert dialog is not None
+    questions.path = tmp_path / "never.3mf"
+    QTest.mouseClick(dialog.nest, LEFT)
+    clinic.services.jobs.cancel(NESTING)
+    rest()
+    assert not [*papers.iterdir()]
+    assert not [*tmp_path.glob("never*")]
     QTest.mouseClick(page.nest_button, LEFT)
     dialog = clinic.features.records.nest_actions.dialog
     assert dialog is not None
