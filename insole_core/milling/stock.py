@@ -33,6 +33,8 @@ MOST_BEYOND = 0.5
 _AIR_MM = 22.0
 """Round the grid, more than the radius of a cutter."""
 _SLACK_MM = 1e-3
+_STRIP = 32
+"""Rows of a grid."""
 _MOST_SAMPLES = 1_000_000
 """Nodes under a cutter, at all its places, that are looked at together."""
 _LEAST_RAMP_MM = 0.5
@@ -86,12 +88,10 @@ class Stock:
             )  # fmt: skip
             np.minimum(self._heights, swept, out=self._heights)
             return
-        reach = int(cutter.radius_mm / self._step_mm)
-        ring = np.pad(tips, reach, constant_values=_HIGH_MM)
-        nx, ny = tips.shape
-        for i, j, above in zip(*_under(cutter, self._step_mm), strict=True):
-            moved = ring[reach + i : reach + i + nx, reach + j : reach + j + ny]
-            np.minimum(self._heights, moved + np.float32(above), out=self._heights)
+        i, j, above = _under(cutter, self._step_mm)
+        # Every other node will do: what may be left is looked at again, see `swept_at`.
+        few = (i % 2 == 0) & (j % 2 == 0)
+        _gather(np.minimum, tips, (i[few], j[few], above[few]), self._heights, _HIGH_MM)
 
     @property
     def heights_mm(self) -> Float32Array:
@@ -176,20 +176,17 @@ class Stock:
             depths[part] = (heights[nodes] - low).max(axis=1, where=met, initial=0.0)
         return depths
 
-    def free_tips(self, cutter: Cutter) -> FloatArray:
+    def free_tips(self, cutter: Cutter) -> Float32Array:
         """Return the lowest tips (nx, ny) that meet nothing, at the nodes of the surface's grid."""
         if cutter.shape == "flat":
             tips = cv2.dilate(self._heights, disc(cutter.radius_mm, self._step_mm))
         else:
             i, j, above = _under(cutter, self._step_mm)
-            reach = int(cutter.radius_mm / self._step_mm)
-            ring = np.pad(self._heights, reach, mode="edge")
-            nx, ny = self._heights.shape
-            tips = np.full((nx, ny), -np.inf, np.float32)
-            for a, b, height in zip(i + reach, j + reach, above, strict=True):
-                np.maximum(tips, ring[a : a + nx, b : b + ny] - np.float32(height), out=tips)
-        whole = tips.repeat(self.every, axis=0).repeat(self.every, axis=1)
-        return np.asarray(whole[: self._shape[0], : self._shape[1]], float)
+            tips = np.full(self._heights.shape, -_HIGH_MM, np.float32)
+            _gather(np.maximum, self._heights, (i, j, -above), tips, -_HIGH_MM)
+        if self.every > 1:
+            tips = tips.repeat(self.every, axis=0).repeat(self.every, axis=1)
+        return np.asarray(tips[: self._shape[0], : self._shape[1]], np.float32)
 
     def write(
         self,
@@ -233,6 +230,28 @@ class Stock:
         x, y = np.clip(middle, 0, np.array(self._heights.shape) - 1).T
         row = self._all.shape[1]
         return (self._first + x * row + y)[:, None] + (i * row + j), path_mm[:, 2:] + above
+
+
+def _gather(
+    least: np.ufunc,
+    heights: Float32Array,
+    under: tuple[IntArray, IntArray, FloatArray],
+    into: Float32Array,
+    beyond: np.float32,
+) -> None:
+    """Take the least, or greatest, of heights (nx, ny) round each node, each with what is added.
+
+    In strips, which a processor keeps at hand.
+    """
+    reach = int(max(np.abs(under[0]).max(), np.abs(under[1]).max()))
+    ring = np.pad(heights, reach, constant_values=beyond)
+    nx, ny = heights.shape
+    for first in range(0, nx, _STRIP):
+        strip = into[first : first + _STRIP]
+        for i, j, more in zip(*under, strict=True):
+            row, column = first + reach + i, reach + j
+            near = ring[row : row + len(strip), column : column + ny]
+            least(strip, near + np.float32(more), out=strip)
 
 
 def _wider(cutter: Cutter, by_mm: float) -> Cutter:
