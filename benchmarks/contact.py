@@ -13,17 +13,20 @@ from benchmarks._contact_cases import (
     HAYES,
     LAYERED_PADS,
     MATERIALS_MPA,
+    PUBLISHED_PADS,
     finite_element_ratios,
+    forefoot_pads,
     heel_reliefs,
     punch_stiffness,
     sphere_load_ratio,
 )
 from benchmarks._random_designs import random_foot
-from insole_core.contact.change import Assumptions, Loading, changed
+from insole_core.contact.change import Assumptions, Loading, changed, pressure_change
 from insole_core.contact.designs import Shoe
 from insole_core.contact.elastic_layers import Layer
 from insole_core.contact.hardness import foam
-from insole_core.contact.stance import Sole
+from insole_core.contact.load_case import Posture
+from insole_core.contact.stance import Ground, Sole
 from insole_core.errors import InsoleError
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
@@ -33,7 +36,7 @@ from insole_core.workflows.clinic_devices import clinic_devices
 
 CLOSED_FORM_LIMIT, FINITE_ELEMENT_LIMIT = 0.01, 0.05
 POINTS_LIMIT, SECONDS_LIMIT = 10.0, 0.1
-FEET, DEVICES = 20, 8
+FEET, DEVICES, FOREFEET = 20, 8, 5
 _PUBLISHED = {"flat": -24.0, "full": -44.0}
 
 
@@ -71,6 +74,27 @@ def _published_heel() -> None:
         print(f"  {material}: {np.mean(some):+.0f} %")
 
 
+def _published_forefoot() -> None:
+    """Compare pads in walking with Journal of Foot and Ankle Research 7:18, 2014."""
+    print("Pads under the forefoot, against Journal of Foot and Ankle Research 7:18")
+    found: dict[str, list[tuple[float, bool]]] = {}
+    for seed in range(FOREFEET):
+        sole = Sole.of(random_foot(seed))
+        for name, pad in forefoot_pads(sole).items():
+            plain = np.full(sole.known.shape, 4.0)
+            grounds = [Ground(plain + mm, plain + mm, foam(20)) for mm in (0.0 * pad, pad)]
+            for posture in (Posture.PUSH_OFF, Posture.STANDING):
+                told = pressure_change(Loading(sole, 70, posture), *grounds)
+                heads = told.regions["metatarsal_heads"]
+                case = f"{name}, {posture}"
+                found.setdefault(case, []).append((heads.percent or 0.0, not heads.reason))
+    for name, some in found.items():
+        percents, are_told = zip(*some, strict=True)
+        published = PUBLISHED_PADS[name.rpartition(", ")[0]]
+        print(f"  {name}: {np.mean(percents):+.0f} %, told for {sum(are_told)} of {len(some)} feet;"
+              f" published {published}")  # fmt: skip
+
+
 def _feet_and_devices() -> None:
     devices = list(clinic_devices(Path()).load().items.values())[:DEVICES]
     shoe = Shoe(read_materials(), body=foam(35))
@@ -99,5 +123,11 @@ def _feet_and_devices() -> None:
 
 
 def main() -> None:
-    for section in (_closed_forms, _finite_elements, _published_heel, _feet_and_devices):
+    for section in (
+        _closed_forms,
+        _finite_elements,
+        _published_heel,
+        _published_forefoot,
+        _feet_and_devices,
+    ):
         section()

@@ -2336,6 +2336,10 @@
             <translation>Pseudonym eller beställningsnummer</translation>
         </message>
         <message>
+            <source>Published series on pads under the heads are not reproduced.</source>
+            <translation>Publicerade serier om pelotter under huvudena återges inte.</translation>
+        </message>
+        <message>
             <source>Put in cutter {cutter}, and run {file}.</source>
             <translation>Sätt i fräs {cutter} och kör {file}.</translation>
         </message>

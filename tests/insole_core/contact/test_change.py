@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from benchmarks._contact_cases import forefoot_pads
 from insole_core.contact.change import (
     GROUPS,
     Assumptions,
@@ -129,6 +130,27 @@ def test_limits_hold_the_change_and_the_same_ground_changes_nothing(
     loaded = [one for one in same.regions.values() if one.percent is not None]
     assert {one.percent for one in loaded} == {0.0}
     assert {one.limits for one in loaded} == {(0.0, 0.0)}
+
+
+def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(sole: Sole) -> None:
+    pads = list(forefoot_pads(sole).values())
+    plain = np.full(sole.known.shape, 4.0)
+    cases = [(0, Posture.STANDING), (1, Posture.STANDING), (0, Posture.PUSH_OFF)]
+    told = [
+        pressure_change(
+            Loading(sole, 70, posture),
+            Ground(plain, plain, foam(20)),
+            Ground(plain + pads[number], plain + pads[number], foam(20)),
+        )
+        for number, posture in cases
+    ]
+    behind, under, walking = (one.regions["metatarsal_heads"] for one in told)
+    assert not behind.reason
+    assert behind.percent is not None
+    assert -17 < behind.percent < 0
+    assert "not reproduced" in under.reason
+    assert "not reproduced" in walking.reason
+    assert "metatarsal_heads" in told[1].cannot_tell
 
 
 def test_flat_foam_relieves_as_in_published_series(sole: Sole) -> None:
