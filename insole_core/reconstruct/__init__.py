@@ -4,6 +4,7 @@ from insole_core.reconstruct.markers.marker_observation import MarkerObservation
 from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
 from insole_core.reconstruct.reconstruction import reconstruct
 from insole_core.reconstruct.result import (
+    DepthSource,
     Method,
     Reconstruction,
     Residuals,
@@ -12,6 +13,7 @@ from insole_core.reconstruct.result import (
 )
 
 __all__ = [
+    "DepthSource",
     "MarkerObservation",
     "Method",
     "Reconstruction",

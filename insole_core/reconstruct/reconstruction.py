@@ -10,18 +10,20 @@ from dataclasses import dataclass, field, replace
 from threading import Lock
 from typing import Any, Generic, Protocol, TypeVar
 
-from insole_core.errors import ReconstructionError
+from insole_core.errors import InputError, ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import transform
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.depth_view import read_volume
 from insole_core.reconstruct.fusion.fused_surface import fuse
+from insole_core.reconstruct.fusion.infrared_evidence import InfraredView
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
 from insole_core.reconstruct.markers.marker_observation import Registration
 from insole_core.reconstruct.parallel import VIEWS_AT_ONCE
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS, RegistrationLimits
 from insole_core.reconstruct.result import (
+    DepthSource,
     Method,
     Reconstruction,
     Surface,
@@ -31,6 +33,7 @@ from insole_core.reconstruct.result import (
 from insole_core.reconstruct.shared_views import Register
 from insole_core.reconstruct.views.coloring import color_points
 from insole_core.reconstruct.views.foot_coverage import coverage_of
+from insole_core.reconstruct.views.infrared_pictures import infrared_view, infrared_warnings
 from insole_core.reconstruct.views.measured_view import (
     MeasuredView,
     measure_as_thesis,
@@ -86,6 +89,7 @@ def reconstruct(
     limits: RegistrationLimits = DEFAULT_LIMITS,
     *,
     corrected: bool = True,
+    depth: DepthSource = "auto",
     measure: Callable[[View], MeasuredView] = measure_view,
     register: Register | None = None,
 ) -> Reconstruction:
@@ -104,6 +108,9 @@ def reconstruct(
         When the pose of a view is good enough.
     corrected
         Whether the learnt error of the sensor's matching is subtracted; for ``fused`` only.
+    depth
+        ``chip``: as the sensors computed it. ``infrared``: refined by the infrared pictures, of
+        which one view at least must have some; ``auto``: where there are. For ``fused`` only.
     measure
         Averages the frames of a view, for ``fused`` only; pass one with a cache when a session is
         reconstructed several times.
@@ -122,7 +129,8 @@ def reconstruct(
     NothingInVolumeError
         When that is for the lack of a foot in some of them.
     """
-    way: _Way[Any] = _Thesis() if method == "thesis" else _Fused(measure, corrected)
+    fused = _Fused(measure, corrected, depth)
+    way: _Way[Any] = _Thesis() if method == "thesis" else fused
 
     def found(measured: MeasuredView, edits: ViewEdits) -> Registration:
         return measured.register(session.manifest.reference_system, limits, edits)
@@ -182,6 +190,9 @@ class _Fused:
 
     measuring: Callable[[View], MeasuredView]
     corrected: bool
+    depth: DepthSource
+    faults: dict[str, str] = field(default_factory=dict)
+    """Why the infrared pictures of a view cannot be used, by its name."""
 
     def measure(self, view: View) -> MeasuredView:
         return self.measuring(view)
@@ -199,6 +210,7 @@ class _Fused:
         )
         learnt = reading.sensor.family.learnt
         prepared = prepare(reading, corrected=self.corrected and learnt)
+        prepared = replace(prepared, infrared=self._infrared(measured.view))
         if stands_aside(sensor2reference, box):
             # What it sees of the foot at the edge, it sees too slantingly to learn its colours.
             return replace(prepared, outline=None, rim=None)
@@ -214,10 +226,31 @@ class _Fused:
             )
         )
 
+    def _infrared(self, view: View) -> InfraredView | None:
+        if self.depth == "chip":
+            return None
+        if view.dots is not None and view.dots.fault:
+            self.faults[view.name] = view.dots.fault
+        try:
+            return infrared_view(view)
+        except InputError as error:
+            self.faults[view.name] = error.message
+            return None
+
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
+        if self.depth == "infrared" and all(part.infrared is None for part in parts):
+            raise ReconstructionError(
+                "No view has infrared pictures and a pattern of dots that can be used ({reasons}); "
+                "use the sensors' own depth (chip).",
+                reasons=joined(self.faults.values(), "; ") or "none was recorded",
+            )
         surface = fuse(parts, progress)
         # What was computed from them meanwhile is larger than they are, and is not needed again.
-        return replace(surface, depth_views=tuple(replace(part.measured) for part in parts))
+        return replace(
+            surface,
+            depth_views=tuple(replace(part.measured) for part in parts),
+            warnings=tuple(infrared_warnings(self.faults, surface.infrared_shares)),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -260,12 +293,17 @@ class _Chain(Generic[_Part]):
         return Reconstruction(
             surface.mesh,
             tuple(results),
-            (*warnings_of(self.session, results, coverage), *self._misfits(results, surface)),
+            (
+                *warnings_of(self.session, results, coverage),
+                *self._misfits(results, surface),
+                *surface.warnings,
+            ),
             self.clock.seconds,
             surface.deviation_mm,
             surface.correction_mm,
             coverage,
             surface.depth_views,
+            surface.infrared_shares,
         )
 
     def _misfits(self, results: list[ViewResult], surface: Surface) -> list[str]:

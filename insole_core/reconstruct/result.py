@@ -16,6 +16,7 @@ from insole_core.reconstruct.poses.pose_quality import PoseRefusedError
 from insole_core.sensing.family import SensorFamily
 
 Method = Literal["fused", "thesis"]
+DepthSource = Literal["auto", "infrared", "chip"]
 
 
 @dataclass(frozen=True)
@@ -135,6 +136,11 @@ class Surface:
         little in common. Fused method only.
     depth_views
         The readings of every used view in the volume of interest; fused method only.
+    infrared_shares
+        On which share of what a view sees of the foot its infrared picture was trusted, by the name
+        of the view; empty where none was used.
+    warnings
+        A sentence each.
     """
 
     mesh: TriangleMesh
@@ -142,6 +148,8 @@ class Surface:
     correction_mm: FloatArray | None = None
     view_gaps_mm: FloatArray | None = None
     depth_views: tuple[DepthView, ...] = ()
+    infrared_shares: dict[str, float] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,6 +174,8 @@ class Reconstruction:
         Measured share of every region of the foot, 0 to 1.
     depth_views
         The readings of every used view in the volume of interest; fused method only.
+    infrared_shares
+        As of `Surface`.
     """
 
     mesh: TriangleMesh
@@ -176,6 +186,7 @@ class Reconstruction:
     correction_mm: FloatArray | None = None
     coverage: dict[str, float] = field(default_factory=dict)
     depth_views: tuple[DepthView, ...] = ()
+    infrared_shares: dict[str, float] = field(default_factory=dict)
 
 
 def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[str, Any]:
@@ -190,10 +201,14 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
     Returns
     -------
     dict
-        Views with their markers, size of the mesh, seconds, coverage, how far the correction moved
+        How much infrared pictures were trusted, where there were any; views with their markers,
+        size of the mesh, seconds, coverage, how far the correction moved
         the surface, and warnings; lengths in mm.
     """
+    shares = reconstruction.infrared_shares
+    depth = {"depth": {"source": "infrared", "trusted_share": shares}} if shares else {}
     return {
+        **depth,
         "views": [_view_json(view) for view in reconstruction.views],
         "vertices": len(reconstruction.mesh.vertices),
         "triangles": len(reconstruction.mesh.triangles),

@@ -27,10 +27,12 @@ from insole_core.recording.sensor_folder import (
     SENSOR_FILE,
     corrected_image,
     correction_name,
+    file_beside,
     is_metric,
     parse_sensor,
 )
 from insole_core.recording.session import (
+    DotPictures,
     FrameTimes,
     InfraredPictures,
     Manifest,
@@ -39,6 +41,7 @@ from insole_core.recording.session import (
 )
 from insole_core.recording.store import FolderStore, Store, ZipStore
 from insole_core.sensing.correction import CorrectedImage, DisparityCorrection, parse_correction
+from insole_core.sensing.infrared_reference import InfraredReference, parse_reference
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
@@ -48,6 +51,7 @@ MOST_FRAMES = 1000
 _BITS_AT = 24
 """Where a PNG says how many bits a grey value has."""
 _MOST_MS = 1e15
+_DOTS = "infrared"
 _STEREO_PAIR = ("infrared_left", "infrared_right")
 
 
@@ -146,7 +150,52 @@ def _view(store: Store, name: str, manifest: Manifest) -> View:
         read_color=partial(_read_color, store, color_names),
         infrared=_stereo_pair(store, folder, sensor),
         times=_times(root, len(depth_names), len(color_names)),
+        dots=None if is_metric(root) else _dots(store, folder, root, sensor),
     )
+
+
+def _dots(store: Store, folder: str, root: JsonObject, sensor: Sensor) -> DotPictures | None:
+    """Return the infrared pictures of a Kinect; what is wrong with them spoils no session."""
+    named = root.has("infrared_reference")
+    if f"{folder}/{_DOTS}_000.png" not in store.names() and not named:
+        return None
+    pictures = None
+    try:
+        kind = PngKind(sensor.depth_camera.width, sensor.depth_camera.height, 16, _GREY)
+        names = _frames(store, folder, _DOTS, kind)
+        pictures = InfraredPictures(len(names), partial(_read_grey, store, names, decode_grey), 16)
+        if not named:
+            raise InputError(
+                "{folder} holds infrared pictures, but its sensor has no pattern of dots yet; "
+                "learn it by calibrate infrared.",
+                folder=store.place(folder),
+            )
+        if root.has("infrared_shift_px") and any(root.numbers("infrared_shift_px", 2, -99, 99)):
+            raise root.fail("infrared_shift_px", "must be [0, 0]; move the pictures onto the depth")
+        return DotPictures(pictures, _reference(store, folder, root, sensor.serial))
+    except InputError as error:
+        return DotPictures(pictures, fault=error.message)
+
+
+def _reference(store: Store, folder: str, root: JsonObject, serial: str) -> InfraredReference:
+    name = file_beside(root, "infrared_reference")
+    place = f"{folder}/{name}"
+    if place not in store.names():
+        raise InputError(
+            "{name} is missing, but sensor.json names it as infrared_reference; restore it from "
+            "the recording.",
+            name=store.place(place),
+        )
+    reference = parse_reference(store.place(place), store.read(place))
+    if reference.record.serial != serial:
+        raise InputError(
+            "{name} is the pattern of sensor {found}, but the view is of sensor {serial}; put in "
+            "the pattern of that sensor.",
+            name=store.place(place),
+            found=reference.record.serial,
+            serial=serial,
+        )
+    return reference
 
 
 def _stereo_pair(store: Store, folder: str, sensor: Sensor) -> dict[str, InfraredPictures]:

@@ -31,6 +31,7 @@ from insole_core.sensing.disparity import (
     LinearInverseDisparity,
     TangentDisparity,
 )
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.metric_depth import PlainDepth, StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import UNITS, CalibrationRecord, Sensor
@@ -49,6 +50,7 @@ _MOST_MM, _MOST_PX, _MOST_DISTORTION = 1e4, 1e5, 1e3
 """Far beyond any camera; larger numbers are mistakes, and overflow."""
 SENSOR_FILE = "sensor.json"
 CORRECTION_FILE = "correction.npz"
+REFERENCE_FILE = "reference.npz"
 
 
 def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Sensor:
@@ -152,9 +154,20 @@ def correction_name(root: JsonObject) -> str | None:
     """
     if root.values.get("disparity_correction") is None:
         return None
-    name = root.text("disparity_correction")
+    return file_beside(root, "disparity_correction")
+
+
+def file_beside(root: JsonObject, key: str) -> str:
+    """Return the name that a key gives of a file beside sensor.json.
+
+    Raises
+    ------
+    InputError
+        When there is none, or it leads out of the folder.
+    """
+    name = root.text(key)
     if "/" in name or "\\" in name or ".." in name:
-        raise root.fail("disparity_correction", "must name a file beside sensor.json")
+        raise root.fail(key, "must name a file beside sensor.json")
     return name
 
 
@@ -330,7 +343,12 @@ def check_readable(folder: Path) -> None:
     _sensor_of(JsonObject.parse(SENSOR_FILE, text), folder)
 
 
-def write_sensor(sensor: Sensor, folder: Path, times: FrameTimes | None = None) -> None:
+def write_sensor(
+    sensor: Sensor,
+    folder: Path,
+    times: FrameTimes | None = None,
+    reference: InfraredReference | None = None,
+) -> None:
     """Write a sensor into an existing folder.
 
     Parameters
@@ -339,6 +357,8 @@ def write_sensor(sensor: Sensor, folder: Path, times: FrameTimes | None = None) 
     folder
     times : optional
         Of the frames beside it.
+    reference : optional
+        The pattern of the dots in the infrared pictures beside it.
 
     Raises
     ------
@@ -354,6 +374,9 @@ def write_sensor(sensor: Sensor, folder: Path, times: FrameTimes | None = None) 
     values = sensor_json(sensor, name)
     if times is not None:
         values["frame_times_ms"] = {"depth": times.depth_ms, "color": times.color_ms}
+    if reference is not None:
+        values["infrared_reference"] = REFERENCE_FILE
+        reference.save(folder / REFERENCE_FILE)
     text = json.dumps(values, indent=1, ensure_ascii=False)
     write_private(folder / SENSOR_FILE, f"{text}\n".encode())
 

@@ -10,6 +10,7 @@ from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 
 
@@ -164,6 +165,25 @@ class InfraredPictures:
     bits: int
 
 
+@dataclass(frozen=True, eq=False)
+class DotPictures:
+    """The infrared pictures of a Kinect's dots in one view, and the pattern of its projector.
+
+    Parameters
+    ----------
+    pictures
+        None where they cannot be used.
+    reference
+        None without one.
+    fault
+        Why they cannot be used, a sentence; empty where they can.
+    """
+
+    pictures: InfraredPictures | None = None
+    reference: InfraredReference | None = None
+    fault: str = ""
+
+
 @dataclass(frozen=True)
 class FrameTimes:
     """When the frames of a view were taken, ms on the clock of its sensor."""
@@ -194,6 +214,8 @@ class View:
         Pictures by the name of their files without number, such as ``infrared_left``.
     times : optional
         Where the sensor told them.
+    dots : optional
+        Where the view of a Kinect was recorded with its infrared pictures.
     """
 
     name: str
@@ -204,6 +226,7 @@ class View:
     read_color: Callable[[int], ByteArray]
     infrared: Mapping[str, InfraredPictures] = field(default_factory=dict)
     times: FrameTimes | None = None
+    dots: DotPictures | None = None
 
 
 @dataclass(frozen=True, eq=False)

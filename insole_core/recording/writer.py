@@ -26,7 +26,12 @@ from insole_core.recording.hand_edits_file import NAME as EDITS
 from insole_core.recording.hand_edits_file import edits_json
 from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import FORMAT, manifest_json
-from insole_core.recording.sensor_folder import CORRECTION_FILE, SENSOR_FILE, write_sensor
+from insole_core.recording.sensor_folder import (
+    CORRECTION_FILE,
+    REFERENCE_FILE,
+    SENSOR_FILE,
+    write_sensor,
+)
 from insole_core.recording.session import Session, View
 from insole_core.recording.store import MAX_FILE_BYTES, FolderStore
 
@@ -34,8 +39,8 @@ MANIFEST = "manifest.json"
 _TRUTHS = ("truth.ply", "truth_left.ply", "truth_right.ply")
 _IN_SESSION = (MANIFEST, EDITS, *_TRUTHS, "truth_poses.json")
 _IN_VIEW = re.compile(
-    rf"(?:(?:depth|color|infrared_left|infrared_right)_\d{{3,}}\.png|{re.escape(SENSOR_FILE)}"
-    rf"|{re.escape(CORRECTION_FILE)})"
+    rf"(?:(?:depth|color|infrared|infrared_left|infrared_right)_\d{{3,}}\.png|{re.escape(SENSOR_FILE)}"
+    rf"|{re.escape(CORRECTION_FILE)}|{re.escape(REFERENCE_FILE)})"
 )
 _FILE = re.compile(
     rf"(?:{'|'.join(map(re.escape, _IN_SESSION))}|views/[a-z0-9_]{{1,32}}/{_IN_VIEW.pattern})"
@@ -166,12 +171,16 @@ def _write_parts(
 
 def _write_view(view: View, folder: Path) -> None:
     folder.mkdir(parents=True)
-    write_sensor(view.sensor, folder, view.times)
+    dots = view.dots
+    write_sensor(view.sensor, folder, view.times, None if dots is None else dots.reference)
     for index in range(view.depth_count):
         (folder / f"depth_{index:03d}.png").write_bytes(encode_png(view.read_depth(index)))
     for index in range(view.color_count):
         (folder / f"color_{index:03d}.png").write_bytes(encode_png(view.read_color(index)))
-    for kind, pictures in view.infrared.items():
+    infrared = dict(view.infrared)
+    if dots is not None and dots.pictures is not None:
+        infrared["infrared"] = dots.pictures
+    for kind, pictures in infrared.items():
         for index in range(pictures.count):
             picture = pictures.read(index)
             stored = picture.astype(np.uint8) if pictures.bits == 8 else picture

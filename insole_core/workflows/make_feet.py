@@ -14,7 +14,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import joined
 from insole_core.progress import SILENT, Progress
-from insole_core.reconstruct import Method, Reconstruction, RegistrationLimits
+from insole_core.reconstruct import DepthSource, Method, Reconstruction, RegistrationLimits
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.reconstruct.shared_views import SharedViews
 from insole_core.reconstruct.volume import NothingInVolumeError, volume_of_interest
@@ -80,6 +80,7 @@ def reconstruct_feet(
     *,
     method: Method = "fused",
     corrected: bool | None = None,
+    depth: DepthSource = "auto",
 ) -> tuple[ReconstructedFoot, ...]:
     """Reconstruct the surface of every foot of a session; all or none.
 
@@ -114,7 +115,7 @@ def reconstruct_feet(
     for foot, part in zip(feet, _parts(progress, feet), strict=True):
         with _naming(foot, feet):
             result = reconstruct_session(
-                foot, limits, part, method=method, corrected=corrected, shared=shared
+                foot, limits, part, method=method, corrected=corrected, depth=depth, shared=shared
             )
         results.append(ReconstructedFoot(foot.session.manifest.one_side, result))
     _check_places(feet, [one.result.mesh for one in results])

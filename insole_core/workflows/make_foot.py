@@ -14,6 +14,7 @@ from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import (
+    DepthSource,
     Method,
     Reconstruction,
     RegistrationLimits,
@@ -275,6 +276,7 @@ def reconstruct_session(
     *,
     method: Method = "fused",
     corrected: bool | None = None,
+    depth: DepthSource = "auto",
     shared: SharedViews | None = None,
 ) -> Reconstruction:
     """Reconstruct the coloured surface of a session, in the reference frame.
@@ -290,6 +292,8 @@ def reconstruct_session(
     corrected
         Whether the learnt error of the sensor's matching is subtracted, by the fused method only;
         by default as was chosen for the sensors.
+    depth
+        As of `reconstruct`.
     shared
         Of one foot of two, what it has in common with the other.
 
@@ -311,6 +315,7 @@ def reconstruct_session(
         progress,
         limits,
         corrected=choice.corrected,
+        depth=depth,
         measure=opened.measure if shared is None else shared.measure,
         register=None if shared is None else shared.around(opened.session.manifest.one_side),
     )

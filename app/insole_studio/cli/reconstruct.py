@@ -49,6 +49,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="whether the learnt error of the sensor is subtracted, by --method fused; by default "
         "as evaluate chain has decided for these sensors, else it is",
     )  # fmt: skip
+    parser.add_argument(
+        "--depth", choices=["auto", "infrared", "chip"], default="auto",
+        help="whose depth: of the infrared pictures, by --method fused, where there are (default), "
+        "or of the sensor's chip",
+    )  # fmt: skip
     add_store_argument(parser)
     parser.add_argument("--report", action=OutputPath, metavar="report.json")
     limits = parser.add_argument_group("when the pose of a view is refused")
@@ -60,6 +65,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the session, reconstruct the foot or both feet and write them."""
     if arguments.out.suffix.lower() != ".ply":
         raise UsageError(f"--out is {arguments.out}, but the foot is written as .ply.")
+    if arguments.depth == "infrared" and arguments.method != "fused":
+        raise UsageError("--depth infrared is for --method fused; leave one of them out.")
     start = time.perf_counter()
     # Imported here, so that usage errors are reported at once.
     from insole_core.files.atomic import write_text
@@ -81,7 +88,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         report = arguments.report and outputs.file(arguments.report)
         feet = reconstruct_feet(
             opened, limits, progress.part(0.1, 0.9),
-            method=arguments.method, corrected=corrected,
+            method=arguments.method, corrected=corrected, depth=arguments.depth,
         )  # fmt: skip
         progress.step(0.9, "Writing the foot")
         feet = tuple(_with_side_doubt(foot) for foot in feet)

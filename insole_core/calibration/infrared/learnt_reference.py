@@ -159,7 +159,9 @@ def learn_reference(
             serial=sensor.serial,
         )
         left_out |= found.left_out | {
-            wall.name: "it shows another pattern than the other walls"
+            wall.name: Message(
+                "{capture} shows another pattern than the other walls", capture=wall.name
+            )
             for wall, good in zip(placed, alike, strict=True)
             if not good
         }
@@ -231,9 +233,7 @@ def _placed(
 
 def _check_walls(walls: Sequence[_Wall], left_out: dict[str, str]) -> None:
     if len(walls) < LEAST_WALLS:
-        reasons = joined(
-            [Message("{name}: {reason}", name=k, reason=v) for k, v in left_out.items()]
-        )
+        reasons = joined(left_out.values(), "; ")
         raise CalibrationError(
             "Only {count} walls can be used, but the pattern needs {least} or more at different "
             "distances; capture more flat walls ({reasons}).",

@@ -16,6 +16,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.fusion.contour_fit import bend_to, drawn_to, lies_before, touches_of
 from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.distance_field import FieldLimits, mesh_views
+from insole_core.reconstruct.fusion.infrared_surface import by_infrared
 from insole_core.reconstruct.fusion.occluding_contour import OccludingContour
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, corrections_mm
 from insole_core.reconstruct.fusion.refinement import RefinementLimits, refine
@@ -86,7 +87,7 @@ def fuse(
     readings = [view.reading for view in views]
     coarse = _mesh(views, limits)
     progress.step(0.4, "Refining the surface")
-    refined = refine(coarse, readings, limits.refinement)
+    refined, shares = by_infrared(refine(coarse, readings, limits.refinement), views)
     rims = _rims(views)
     mesh = drawn_to(refined.mesh, rims)
     kept = _is_supported(mesh, views, limits)
@@ -103,6 +104,7 @@ def fuse(
         deviation_mm=refined.deviation_mm[kept][ends].mean(1),
         correction_mm=None if moved_mm is None else moved_mm[ends].mean(1),
         view_gaps_mm=refined.view_gaps_mm,
+        infrared_shares=shares,
     )
 
 

@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 import scipy
 
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct.fusion.depth_view import DepthView
@@ -73,6 +73,95 @@ def observe(
     Observations
         Without readings at grazing angles and outliers.
     """
+    hits = hits_of(reading, mesh, normals, caster)
+    residuals = reading.raw.ravel()[hits.ray] - reading.sensor.disparity.raw(hits.depth_mm)
+    good = np.flatnonzero((hits.cosine > _LEAST_COSINE) & (np.abs(residuals) < _OUTLIER_RAW))
+    depth_mm = hits.depth_mm[good]
+    pixel_mm = depth_mm / reading.sensor.depth_camera.fx
+    tangent = np.sqrt(1 / np.clip(hits.cosine[good], 0.05, 1) ** 2 - 1)
+    slope = reading.raw_per_mm(depth_mm)
+    family = reading.sensor.family
+    variance = family.noise_raw**2 + (family.spot_offset_px * slope * pixel_mm * tangent) ** 2
+    return hits.equations(
+        reading,
+        mesh,
+        good,
+        residuals=residuals[good],
+        variance=variance,
+        shared_px=family.shared_px,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class MeshHits:
+    """Where the rays of a view meet a mesh.
+
+    Parameters
+    ----------
+    ray : (k,) int64
+        Index of the pixel, row by row.
+    corners : (k, 3) int32
+        Vertices of the triangle that is hit.
+    weights : (k, 3) float64
+        Barycentric.
+    depth_mm : (k,) float64
+    along : (k,) float64
+        Component of the vertices' direction along the ray, whose depth component is 1.
+    cosine : (k,) float64
+        Of the angle between the two.
+    """
+
+    ray: IntArray
+    corners: IndexArray
+    weights: FloatArray
+    depth_mm: FloatArray
+    along: FloatArray
+    cosine: FloatArray
+
+    def equations(
+        self,
+        reading: DepthView,
+        mesh: TriangleMesh,
+        chosen: IntArray,
+        *,
+        residuals: FloatArray,
+        variance: FloatArray,
+        shared_px: int,
+    ) -> Observations:
+        """Make the equations of some hits.
+
+        Parameters
+        ----------
+        reading, mesh
+            Those that met.
+        chosen : (k,) int64
+            Which hits.
+        residuals, variance : (k,) float64, raw units
+            Of a single reading.
+        shared_px
+            Number of neighbouring readings that share their error.
+
+        Returns
+        -------
+        Observations
+        """
+        slope = reading.raw_per_mm(self.depth_mm[chosen])
+        weights: FloatArray = self.weights[chosen] * (slope / self.along[chosen])[:, None]
+        count = len(chosen)
+        design = scipy.sparse.csr_array(
+            (weights.ravel(), self.corners[chosen].ravel(), np.arange(0, 3 * count + 1, 3)),
+            (count, len(mesh.vertices)),
+        )
+        pixels = reading.pixels.reshape(-1, 2)[self.ray[chosen]]
+        shared = np.full(count, float(shared_px))
+        terms = _view_terms(reading, pixels)
+        return Observations(design, residuals, 1 / (shared * variance), shared, terms)
+
+
+def hits_of(
+    reading: DepthView, mesh: TriangleMesh, normals: FloatArray, caster: RayCaster
+) -> MeshHits:
+    """Cast the rays of a view's pixels onto a mesh; parameters as of `observe`."""
     rays = reading.rays.reshape(-1, 3)
     hits = caster.cast(reading.origin_mm, rays)
     rays, corners = rays[hits.ray], mesh.triangles[hits.triangle]
@@ -80,22 +169,7 @@ def observe(
     depth_mm = reading.depth_along(np.einsum("nk,nkc->nc", hits.weights, mesh.vertices[corners]))
     along = np.einsum("nc,nc->n", normal, rays)
     cosine = -along / (np.linalg.norm(normal, axis=1) * np.linalg.norm(rays, axis=1))
-    residuals = reading.raw.ravel()[hits.ray] - reading.sensor.disparity.raw(depth_mm)
-    good = np.flatnonzero((cosine > _LEAST_COSINE) & (np.abs(residuals) < _OUTLIER_RAW))
-    slope = reading.raw_per_mm(depth_mm[good])
-    weights = hits.weights[good] * (slope / along[good])[:, None]
-    count = len(good)
-    design = scipy.sparse.csr_array(
-        (weights.ravel(), corners[good].ravel(), np.arange(0, 3 * count + 1, 3)),
-        (count, len(mesh.vertices)),
-    )
-    pixel_mm = depth_mm[good] / reading.sensor.depth_camera.fx
-    tangent = np.sqrt(1 / np.clip(cosine[good], 0.05, 1) ** 2 - 1)
-    family = reading.sensor.family
-    variance = family.noise_raw**2 + (family.spot_offset_px * slope * pixel_mm * tangent) ** 2
-    shared = np.full(count, float(family.shared_px))
-    view_terms = _view_terms(reading, reading.pixels.reshape(-1, 2)[hits.ray[good]])
-    return Observations(design, residuals[good], 1 / (shared * variance), shared, view_terms)
+    return MeshHits(hits.ray, corners, hits.weights, depth_mm, along, cosine)
 
 
 def _view_terms(reading: DepthView, pixels: FloatArray) -> FloatArray:

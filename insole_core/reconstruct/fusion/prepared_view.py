@@ -9,6 +9,7 @@ import numpy as np
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.reconstruct.fusion.depth_view import DepthView
+from insole_core.reconstruct.fusion.infrared_evidence import InfraredView
 from insole_core.reconstruct.fusion.matching_error import without_matching_error
 from insole_core.reconstruct.fusion.occluding_contour import (
     OccludingContour,
@@ -103,6 +104,8 @@ class PreparedView:
         The smoothed reading.
     rim
         The contour to a fraction of a pixel; None when it is not certain.
+    infrared
+        The picture of the dots; None where there is none, or it is not used.
     """
 
     measured: DepthView
@@ -111,6 +114,7 @@ class PreparedView:
     outline: Silhouette | None
     depth: SmoothDepth
     rim: OccludingContour | None = None
+    infrared: InfraredView | None = None
 
 
 def prepare(reading: DepthView, *, corrected: bool = True) -> PreparedView:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import scipy
@@ -121,6 +122,63 @@ def refine(
     )
 
 
+@dataclass(frozen=True)
+class NearLimits:
+    """How a surface is refined by further evidence.
+
+    Parameters
+    ----------
+    refinement
+        The bending counts that of the change.
+    hold
+        Inverse variance of the change itself, 1/mm², as the readings so far determine it.
+    rounds
+        Number of times that the evidence is taken anew.
+    farthest_mm
+        Largest displacement of a vertex in a round.
+    """
+
+    refinement: RefinementLimits = field(default_factory=RefinementLimits)
+    hold: float = 0.02
+    rounds: int = 2
+    farthest_mm: float = 2.0
+
+
+def refine_near(
+    start: RefinedSurface,
+    observe_mesh: Callable[[TriangleMesh, FloatArray, RayCaster], list[Observations]],
+    limits: NearLimits = NearLimits(),
+) -> RefinedSurface:
+    """Change a surface smoothly towards further evidence; without any it keeps its shape.
+
+    Parameters
+    ----------
+    start
+    observe_mesh
+        Compares all views with a mesh, the directions of its vertices and its ray caster.
+    limits
+
+    Returns
+    -------
+    RefinedSurface
+        With the deviations and gaps of `start`.
+    """
+    mesh = start.mesh
+    for _ in range(limits.rounds):
+        normals = smoothed_normals(mesh, 5)
+        seen = observe_mesh(mesh, normals, RayCaster(mesh))
+        if not seen:
+            break
+        system = _System.of(seen, _Plate.near(mesh, start.mesh, normals, limits), limits.refinement)
+        rhs = system.rhs(system.information)
+        change = mesh.vertices - start.mesh.vertices
+        rhs[: system.vertices] -= limits.hold * np.einsum("nc,nc->n", change, normals)
+        displacement = system.inverse(system.information).applied(rhs)[: system.vertices]
+        moved = np.clip(displacement, -limits.farthest_mm, limits.farthest_mm)
+        mesh = mesh.moved(mesh.vertices + moved[:, None] * normals)
+    return replace(start, mesh=mesh)
+
+
 def _robust(
     residuals: FloatArray, information: FloatArray, shared: FloatArray, robust: float
 ) -> FloatArray:
@@ -155,6 +213,20 @@ class _Plate:
         tiny = 1e-6 * scipy.sparse.eye_array(len(bent_mm))
         normal = scipy.sparse.csr_array(stiffness * (bending.T @ bending) + tiny)
         return _Plate(bending, bent_mm, normal)
+
+    @staticmethod
+    def near(
+        mesh: TriangleMesh, start: TriangleMesh, normals: FloatArray, limits: NearLimits
+    ) -> _Plate:
+        """Return the prior of the change from `start`, which has the same triangles."""
+        plate = _Plate.of(mesh, normals, limits.refinement.stiffness)
+        change = np.asarray(plate.bending @ (mesh.vertices - start.vertices))
+        held = limits.hold * scipy.sparse.eye_array(len(normals))
+        return _Plate(
+            plate.bending,
+            np.einsum("nc,nc->n", change, normals),
+            scipy.sparse.csr_array(plate.normal + held),
+        )
 
 
 @dataclass(frozen=True, eq=False)

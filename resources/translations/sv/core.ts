@@ -372,6 +372,10 @@
             <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
         </message>
         <message>
+            <source>All walls lie between {nearest_mm:.0f} and {farthest_mm:.0f} mm; capture walls from 600 to 900 mm, which show every dot at different pixels.</source>
+            <translation>Alla väggar ligger mellan {nearest_mm:.0f} och {farthest_mm:.0f} mm; ta upp väggar på 600 till 900 mm, som visar varje punkt på olika bildpunkter.</translation>
+        </message>
+        <message>
             <source>Allowance around the heel</source>
             <translation>Tillägg runt hälen</translation>
         </message>
@@ -1620,6 +1624,10 @@
             <translation>Lägger {name} på {first}</translation>
         </message>
         <message>
+            <source>Learning the pattern of dots</source>
+            <translation>Lär in punktmönstret</translation>
+        </message>
+        <message>
             <source>Least thickness</source>
             <translation>Minsta tjocklek</translation>
         </message>
@@ -1956,6 +1964,10 @@
             <translation>För materialet {material} är ingen tjocklek känd; välj ett av {names}, eller ange tjockleken själv.</translation>
         </message>
         <message>
+            <source>No view has infrared pictures and a pattern of dots that can be used ({reasons}); use the sensors' own depth (chip).</source>
+            <translation>Ingen vy har infraröda bilder och ett punktmönster som kan användas ({reasons}); använd sensorernas eget djup (chip).</translation>
+        </message>
+        <message>
             <source>No view shows the side of the markers "{face}", so the foot is not measured there.</source>
             <translation>Ingen vy visar sidan med markörerna ”{face}”, så foten är inte mätt där.</translation>
         </message>
@@ -2080,12 +2092,20 @@
             <translation>Bara {count} punkter mättes i mätvolymen, för få för att hitta föremålet; lägg det mitt i volymen, där sensorerna ser det.</translation>
         </message>
         <message>
+            <source>Only {count} walls can be used, but the pattern needs {least} or more at different distances; capture more flat walls ({reasons}).</source>
+            <translation>Bara {count} väggar kan användas, men mönstret behöver {least} eller fler på olika avstånd; ta upp fler plana väggar ({reasons}).</translation>
+        </message>
+        <message>
             <source>Only {count} walls were used; six distances or more are better.</source>
             <translation>Bara {count} väggar användes; sex avstånd eller fler är bättre.</translation>
         </message>
         <message>
             <source>Only {left_mm:.1f} mm of material would be left at x = {x_mm:.0f} mm, y = {y_mm:.0f} mm, and {least_mm:g} mm are needed; the surface is raised there. Raise the thickness, or make the recess shallower.</source>
             <translation>Bara {left_mm:.1f} mm material skulle bli kvar vid x = {x_mm:.0f} mm, y = {y_mm:.0f} mm, och {least_mm:g} mm behövs; ytan höjs där. Öka tjockleken, eller gör urtaget grundare.</translation>
+        </message>
+        <message>
+            <source>Only {share:.0%} of the pattern was seen on {least} walls or more, but at least {needed:.0%} must be; let the walls fill the picture.</source>
+            <translation>Bara {share:.0%} av mönstret syntes på {least} väggar eller fler, men minst {needed:.0%} måste göra det; låt väggarna fylla bilden.</translation>
         </message>
         <message>
             <source>Only {share:.0%} of the {pad} lie below the foot; move it inwards.</source>
@@ -3568,6 +3588,10 @@
             <translation>Lösenordet upprepar få tecken; ta till exempel fyra ord.</translation>
         </message>
         <message>
+            <source>The pattern has drifted by {shift:.3f} px (at most {most} px); let the sensor warm up, and learn the reference again.</source>
+            <translation>Mönstret har flyttat sig {shift:.3f} px (högst {most} px); låt sensorn bli varm, och lär in mönstret på nytt.</translation>
+        </message>
+        <message>
             <source>The person was merged with another one since then; undo that later merge first.</source>
             <translation>Personen har sedan dess slagits samman med en annan; ångra den senare sammanslagningen först.</translation>
         </message>
@@ -3686,6 +3710,10 @@
         <message>
             <source>The record was brought up to date; as it was before, it is kept as “{copy}”.</source>
             <translation>Journalen har uppdaterats; som den var före finns den kvar som ”{copy}”.</translation>
+        </message>
+        <message>
+            <source>The reference pattern is of sensor {found}, but the calibration is of sensor {serial}; name the reference of that sensor.</source>
+            <translation>Punktmönstret är av sensor {found}, men kalibreringen är av sensor {serial}; ange den sensorns mönster.</translation>
         </message>
         <message>
             <source>The reference system "{system}" has a place for one foot only; choose a foot, or set up the one for two feet, {pair}.</source>
@@ -4028,6 +4056,10 @@
             <translation>Volymen av intresse sattes för hand.</translation>
         </message>
         <message>
+            <source>The wall shows another pattern (likeness {likeness:.2f}); it is of another sensor, or no flat wall; else learn the reference again.</source>
+            <translation>Väggen visar ett annat mönster (likhet {likeness:.2f}); den är av en annan sensor, eller ingen plan vägg; lär annars in mönstret på nytt.</translation>
+        </message>
+        <message>
             <source>The wall to the rim is {angle:.0f}° steep, and there is no room for a wider one; lower the rim there.</source>
             <translation>Väggen till randen lutar {angle:.0f}°, och det finns ingen plats för en bredare; sänk randen där.</translation>
         </message>
@@ -4038,6 +4070,10 @@
         <message>
             <source>The walls contradict each other ({walls}); capture a flat, empty wall at several distances.</source>
             <translation>Väggarna motsäger varandra ({walls}); ta en plan, tom vägg på flera avstånd.</translation>
+        </message>
+        <message>
+            <source>The walls of {folder} were recorded with sensor {found}, but the calibration is of sensor {serial}; name the walls of that sensor.</source>
+            <translation>Väggarna i {folder} spelades in med sensor {found}, men kalibreringen är av sensor {serial}; ange den sensorns väggar.</translation>
         </message>
         <message>
             <source>The walls were off by {before_raw:.1f} raw units and are now off by {after_raw:.1f} (noise included).</source>
@@ -4226,6 +4262,10 @@
         <message>
             <source>There is no finding "{name}"; choose one of {known}.</source>
             <translation>Det finns inget fynd "{name}"; välj ett av {known}.</translation>
+        </message>
+        <message>
+            <source>There is no folder {folder}; name the folder with the infrared pictures of walls.</source>
+            <translation>Det finns ingen mapp {folder}; ange mappen med de infraröda bilderna av väggar.</translation>
         </message>
         <message>
             <source>There is no folder {folder}; name the folder with the pictures.</source>
@@ -4622,6 +4662,18 @@
         <message>
             <source>View {view} was recorded with sensor {serial}, which was never calibrated here; calibrate it first.</source>
             <translation>Vyn {view} spelades in med sensor {serial}, som aldrig kalibrerats här; kalibrera den först.</translation>
+        </message>
+        <message>
+            <source>View {view}: its infrared pictures show the pattern on {share:.0%} of the foot only, so they are of another moment, pose or sensor, or the pattern has drifted; the sensor's own depth was used.</source>
+            <translation>Vy {view}: dess infraröda bilder visar mönstret bara på {share:.0%} av foten, så de är av ett annat ögonblick, läge eller en annan sensor, eller så har mönstret flyttat sig; sensorns eget djup användes.</translation>
+        </message>
+        <message>
+            <source>View {view}: its infrared pictures were trusted on {share:.0%} of the foot; on the rest the sensor's own depth was used.</source>
+            <translation>Vy {view}: dess infraröda bilder var att lita på på {share:.0%} av foten; på resten användes sensorns eget djup.</translation>
+        </message>
+        <message>
+            <source>View {view}: {fault}; the sensor's own depth was used.</source>
+            <translation>Vy {view}: {fault}; sensorns eget djup användes.</translation>
         </message>
         <message>
             <source>View {view}: {warning}</source>
@@ -6372,6 +6424,14 @@
             <translation>hälen mot y = 0</translation>
         </message>
         <message>
+            <source>its infrared pictures are black; see that the emitter is on</source>
+            <translation>dess infraröda bilder är svarta; se till att strålaren är på</translation>
+        </message>
+        <message>
+            <source>its infrared pictures are saturated; lower their brightness, or keep sunlight off the foot</source>
+            <translation>dess infraröda bilder är mättade; sänk deras ljusstyrka, eller håll solljus borta från foten</translation>
+        </message>
+        <message>
             <source>its length of {length:g} mm along {along}, its width of {width:g} mm along {across}</source>
             <translation>längden {length:g} mm längs {along}, bredden {width:g} mm längs {across}</translation>
         </message>
@@ -6756,6 +6816,10 @@
             <translation>måste vara 64 siffror och bokstäver a till f</translation>
         </message>
         <message>
+            <source>must be [0, 0]; move the pictures onto the depth</source>
+            <translation>måste vara [0, 0]; flytta bilderna till djupets bildpunkter</translation>
+        </message>
+        <message>
             <source>must be a day such as 2026-11-20, or null</source>
             <translation>måste vara en dag som 2026-11-20, eller null</translation>
         </message>
@@ -6978,6 +7042,14 @@
         <message>
             <source>none is plugged in</source>
             <translation>ingen är ansluten</translation>
+        </message>
+        <message>
+            <source>none was left out</source>
+            <translation>ingen utelämnades</translation>
+        </message>
+        <message>
+            <source>none was recorded</source>
+            <translation>inga spelades in</translation>
         </message>
         <message>
             <source>none yet</source>
@@ -8304,8 +8376,16 @@
             <translation>{capture} behöver ett mätvärde i bildens mitt och sitt uppmätta avstånd; mät det, eller ta bort tagningen.</translation>
         </message>
         <message>
+            <source>{capture} shows another pattern than the other walls</source>
+            <translation>{capture} visar ett annat mönster än de andra väggarna</translation>
+        </message>
+        <message>
             <source>{capture} shows no flat wall that fills at least {share:.0%} of the view; point the sensor at an empty flat wall and capture it again.</source>
             <translation>{capture} visar ingen plan vägg som fyller minst {share:.0%} av synfältet; rikta sensorn mot en tom plan vägg och ta om den.</translation>
+        </message>
+        <message>
+            <source>{capture} shows no plane: {share:.0%} of it is off by more than {raw:.0f} raw units; capture a flat, empty wall.</source>
+            <translation>{capture} visar inget plan: {share:.0%} av den avviker mer än {raw:.0f} råenheter; ta upp en plan, tom vägg.</translation>
         </message>
         <message>
             <source>{capture} shows {count} spheres of about {diameter_mm:g} mm, but the bar has 2; keep the space around them free and check the diameter.</source>
@@ -8450,6 +8530,10 @@
         <message>
             <source>{days:.0f} days old</source>
             <translation>{days:.0f} dagar gammal</translation>
+        </message>
+        <message>
+            <source>{depth} is missing beside {infrared} in {folder}; a wall needs both, so restore it or take the picture out.</source>
+            <translation>{depth} saknas bredvid {infrared} i {folder}; en vägg behöver båda, så återställ den eller ta bort bilden.</translation>
         </message>
         <message>
             <source>{depth} mm deep</source>
@@ -8672,6 +8756,10 @@
             <translation>{folder} innehåller färgbilder ({picture}) bredvid djupbilderna, som av ett bräde för djup till färg; ange mappen med bilderna av plana, tomma väggar.</translation>
         </message>
         <message>
+            <source>{folder} holds infrared pictures, but its sensor has no pattern of dots yet; learn it by calibrate infrared.</source>
+            <translation>{folder} innehåller infraröda bilder, men dess sensor har inget punktmönster än; lär in det med calibrate infrared.</translation>
+        </message>
+        <message>
             <source>{folder} holds more than {most} cases; choose the folders in it one by one.</source>
             <translation>{folder} innehåller mer än {most} fall; välj mapparna i den en i taget.</translation>
         </message>
@@ -8686,6 +8774,10 @@
         <message>
             <source>{folder} holds no case files ({suffix}); choose another folder.</source>
             <translation>{folder} innehåller inga fallfiler ({suffix}); välj en annan mapp.</translation>
+        </message>
+        <message>
+            <source>{folder} holds no infrared_00.png; name the folder with the infrared pictures of walls.</source>
+            <translation>{folder} innehåller ingen infrared_00.png; ange mappen med de infraröda bilderna av väggar.</translation>
         </message>
         <message>
             <source>{folder} holds no pictures named {kind}…; name the folder with the {words}.</source>
@@ -8908,6 +9000,10 @@
             <translation>{name} innehåller ingen läsbar matris ”record”; kalibrera sensorn igen.</translation>
         </message>
         <message>
+            <source>{name} holds no readable infrared reference pattern; make it again by calibrate infrared.</source>
+            <translation>{name} innehåller inget läsbart infrarött punktmönster; gör det på nytt med calibrate infrared.</translation>
+        </message>
+        <message>
             <source>{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and capture it again.</source>
             <translation>{name} innehåller inga mätvärden alls; ställ sensorn 500 till 3000 mm från väggen och ta om den.</translation>
         </message>
@@ -8926,6 +9022,10 @@
         <message>
             <source>{name} is missing, but sensor.json names it as disparity_correction; restore it from the recording.</source>
             <translation>{name} saknas, men sensor.json anger den som disparity_correction; återställ den från inspelningen.</translation>
+        </message>
+        <message>
+            <source>{name} is missing, but sensor.json names it as infrared_reference; restore it from the recording.</source>
+            <translation>{name} saknas, men sensor.json anger den som infrared_reference; återställ den från inspelningen.</translation>
         </message>
         <message>
             <source>{name} is named as a {side} foot, but is opened as a {said} one; say which foot it is.</source>
@@ -8950,6 +9050,10 @@
         <message>
             <source>{name} is of version {version}, which is newer than this program (it reads up to {newest}); install a newer Insole Studio.</source>
             <translation>{name} är av version {version}, som är nyare än detta program (det läser upp till {newest}); installera ett nyare Insole Studio.</translation>
+        </message>
+        <message>
+            <source>{name} is the pattern of sensor {found}, but the view is of sensor {serial}; put in the pattern of that sensor.</source>
+            <translation>{name} är mönstret av sensor {found}, men vyn är av sensor {serial}; lägg in den sensorns mönster.</translation>
         </message>
         <message>
             <source>{name} is truncated or damaged; restore it from the recording.</source>
@@ -9292,6 +9396,10 @@
             <translation>{path} är en session, som säger hur foten ligger; utelämna form och punkter.</translation>
         </message>
         <message>
+            <source>{path} is almost dark; uncover the emitter and capture the wall again.</source>
+            <translation>{path} är nästan mörk; ta bort det som täcker strålaren och ta upp väggen på nytt.</translation>
+        </message>
+        <message>
             <source>{path} is an export of {device}, a device that is not read; save the map as a table with a row of numbers for each row of sensors, and open that.</source>
             <translation>{path} är en export från {device}, en apparat som inte läses; spara kartan som en tabell med en rad tal för varje rad sensorer, och öppna den.</translation>
         </message>
@@ -9354,6 +9462,10 @@
         <message>
             <source>{path} is no UTF-8 text; hand in a design as JSON.</source>
             <translation>{path} är ingen UTF-8-text; ange en design som JSON.</translation>
+        </message>
+        <message>
+            <source>{path} is no infrared picture of 640×480 with 16 bits of grey; record it as the sensor sends it beside the depth.</source>
+            <translation>{path} är ingen infraröd bild på 640×480 med 16 bitar gråskala; spela in den som sensorn sänder den bredvid djupet.</translation>
         </message>
         <message>
             <source>{path} is no name of a program; choose {suffixes}.</source>
@@ -9434,6 +9546,10 @@
         <message>
             <source>{path} is read to make the result, which would replace it; give the result another name.</source>
             <translation>{path} läses för att göra resultatet, som skulle ersätta den; ge resultatet ett annat namn.</translation>
+        </message>
+        <message>
+            <source>{path} is saturated: its dots are as bright as the sensor can tell; lower the infrared brightness or step back, and capture the wall again.</source>
+            <translation>{path} är mättad: dess punkter är så ljusa som sensorn kan ange; sänk den infraröda ljusstyrkan eller öka avståndet, och ta upp väggen på nytt.</translation>
         </message>
         <message>
             <source>{path} is the folder that you work in, or holds it; name a folder within it.</source>
