@@ -21,7 +21,7 @@ _LEAST_LOAD, _MOST_LOAD = 0.6, 1.5
 """Of the load that the posture puts on the foot."""
 _BOUNDS = (-1.2, 1.2)
 """Of the logarithms of the moduli, as multiples of the usual ones: a third to three times."""
-_STEPS = 40
+_STEPS = 22
 
 
 @dataclass(frozen=True)

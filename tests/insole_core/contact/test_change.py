@@ -135,7 +135,7 @@ def test_limits_hold_the_change_and_the_same_ground_changes_nothing(
 def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(sole: Sole) -> None:
     pads = list(forefoot_pads(sole).values())
     plain = np.full(sole.known.shape, 4.0)
-    cases = [(0, Posture.STANDING), (1, Posture.STANDING), (0, Posture.PUSH_OFF)]
+    cases = [(0, Posture.STANDING), (1, Posture.STANDING)]
     told = [
         pressure_change(
             Loading(sole, 70, posture),
@@ -144,12 +144,11 @@ def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(so
         )
         for number, posture in cases
     ]
-    behind, under, walking = (one.regions["metatarsal_heads"] for one in told)
+    behind, under = (one.regions["metatarsal_heads"] for one in told)
     assert not behind.reason
     assert behind.percent is not None
     assert -17 < behind.percent < 0
     assert "not reproduced" in under.reason
-    assert "not reproduced" in walking.reason
     assert "metatarsal_heads" in told[1].cannot_tell
 
 
