@@ -60,6 +60,10 @@
             <translation>Skillnadskartor</translation>
         </message>
         <message>
+            <source>Feet (mm)</source>
+            <translation>Fötter (mm)</translation>
+        </message>
+        <message>
             <source>First, A</source>
             <translation>Första, A</translation>
         </message>

@@ -71,7 +71,7 @@ def figure_rows(difference: Difference) -> tuple[FigureRow, ...]:
     if fit == fit:  # noqa: PLR0124 - not NaN: a transform was fitted
         rows.append(FigureRow(tr("Residual of the fit"), f"{localised(fit, '.2f')} mm"))
     for heading, measures in (
-        (tr("Feet"), foot_rows(difference)),
+        (tr("Feet (mm)"), foot_rows(difference)),
         (tr("Compared part"), part_rows(difference)),
     ):
         if measures:
