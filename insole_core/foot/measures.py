@@ -117,7 +117,7 @@ DEFINITIONS = {
     "forefoot_angle_deg": Definition(
         "degrees",
         "line of the 1st to 5th head against the heel's ground; > 0 is varus",
-        0.3,
+        0.36,
         positive="varus",
         negative="valgus",
     ),
@@ -180,6 +180,9 @@ _SIZES_EU, _SIZES_UK = (15.0, 55.0), (1.0, 17.0)  # that exist; children's Engli
 _DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.2
 _SIZES = ("foot_length", "ball_width", "ball_width_across", "ball_length", "heel_width")
 _PLACING_MM = 0.3  # of the views against each other, in every size
+_LESS = 0.65
+"""Of what the fits say of heel and toe ends, which is too much: with all of it the true length lies
+within twice the deviation in 81 of 81 simulated sessions, not in 95 of 100."""
 _SIDE_MM, _HEEL_SIDE_MM, _ALONG_SIDE_MM = 0.35, 0.5, 1.5
 """Of an end at the side of a foot: across it, because its section is not quite round, above all
 that of the heel, and along it, because it is nearly straight."""
@@ -200,7 +203,7 @@ def _end_deviation_mm(landmarks: Landmarks, end: str, size: str) -> float:
     """Return what one end adds to the standard deviation of a size, mm."""
     own = landmarks[end].deviation_mm or 0.0
     if end not in _AT_SIDES:
-        return own
+        return _LESS * own
     across = float(np.hypot(own, _HEEL_SIDE_MM if end.startswith("heel") else _SIDE_MM))
     if size == "ball_length":
         return _ALONG_SIDE_MM
