@@ -129,7 +129,8 @@ class NearLimits:
     Parameters
     ----------
     refinement
-        The bending counts that of the change.
+        The bending counts that of the change. A view's offset is nearly free: a pattern drifts as a
+        whole, and how far a view is off the sensor's own depth tells better.
     hold
         Inverse variance of the change itself, 1/mm², as the readings so far determine it.
     rounds
@@ -138,7 +139,9 @@ class NearLimits:
         Largest displacement of a vertex in a round.
     """
 
-    refinement: RefinementLimits = field(default_factory=RefinementLimits)
+    refinement: RefinementLimits = field(
+        default_factory=lambda: RefinementLimits(view_offset_raw=1.0)
+    )
     hold: float = 0.02
     rounds: int = 2
     farthest_mm: float = 2.0
