@@ -248,7 +248,8 @@ def told_to_programmers(tree: ast.AST) -> Iterator[ast.AST]:
             name = getattr(node.func, "id", "")
             owner = getattr(getattr(node.func, "value", None), "id", "")
             is_error = hasattr(builtins, name) and name.endswith("Error")
-            if is_error or name == "text" or owner in ("log", "re"):  # text() holds SQL
+            is_sql = name == "text" or getattr(node.func, "attr", "") == "exec_driver_sql"
+            if is_error or is_sql or owner in ("log", "re"):
                 yield from node.args
 
 
