@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from sqlalchemy import Connection, Table, func, or_, select
+from sqlalchemy import Connection, Table, func, or_, select, text
 
 from insole_core.errors import InsoleError, RecordsError
 from insole_core.files.atomic import make_output_folder
@@ -258,7 +258,7 @@ def _check_tables(database: Database, tables: Sequence[Table]) -> None:
         quote = connection.dialect.identifier_preparer.quote
         for table in tables:  # as text: to compile all these statements takes longer than to ask
             columns = ", ".join(map(quote, table.columns.keys()))
-            connection.exec_driver_sql(f"SELECT {columns} FROM {quote(table.name)} LIMIT 1").first()
+            connection.execute(text(f"SELECT {columns} FROM {quote(table.name)} LIMIT 1")).first()
 
 
 def _content_store(database: Database) -> ContentStore:
