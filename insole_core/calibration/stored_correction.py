@@ -37,8 +37,16 @@ def apply_correction(
     Raises
     ------
     CalibrationError
-        If it belongs to another device and the user does not insist.
+        If it is for another kind of sensor, or belongs to another device and the user does not
+        insist.
     """
+    if not _is_of_its_kind(correction, sensor):
+        raise CalibrationError(
+            "The correction is not for the depth of sensor {serial}, a {model}; use one that was "
+            "measured on this kind of sensor.",
+            serial=sensor.serial,
+            model=sensor.model,
+        )
     warnings: list[str] = []
     if not correction.record.is_of(sensor.serial):
         problem = Message(
@@ -56,6 +64,15 @@ def apply_correction(
         )
     warnings += _age_warning(correction, now)
     return CorrectedSensor(replace(sensor, correction=correction), tuple(warnings))
+
+
+def _is_of_its_kind(correction: DisparityCorrection, sensor: Sensor) -> bool:
+    if sensor.depth_unit_mm is not None and sensor.baseline_mm is None:
+        return False  # it has no disparities that could be corrected
+    unit = "raw" if sensor.depth_unit_mm is None else "px"
+    camera = sensor.depth_camera
+    is_of_its_size = correction.offset.shape == (camera.height, camera.width)
+    return correction.record.unit == unit and is_of_its_size
 
 
 def _age_warning(correction: DisparityCorrection, now: datetime) -> list[str]:

@@ -208,8 +208,7 @@ class _Fused:
             raw=measured.raw,
             color=measured.color,
         )
-        learnt = reading.sensor.family.learnt
-        prepared = prepare(reading, corrected=self.corrected and learnt)
+        prepared = prepare(reading, corrected=self.corrected)
         prepared = replace(prepared, infrared=self._infrared(measured.view))
         if stands_aside(sensor2reference, box):
             # What it sees of the foot at the edge, it sees too slantingly to learn its colours.

@@ -175,6 +175,7 @@ def warnings_of(
         *unseen,
         *coverage_warnings(coverage, absence_is_reported=bool(unseen)),
         *_same_places(session, results),
+        *_one_camera(session, results),
     )
 
 
@@ -280,6 +281,43 @@ def _unseen_sides(session: Session, results: list[ViewResult]) -> list[str]:
     ]
 
 
+def _one_camera(session: Session, results: list[ViewResult]) -> list[str]:
+    """Name the views that one camera cannot have recorded, unless somebody moved it meanwhile.
+
+    Only of sensors that deliver millimetres, whose ``sensor.json`` is put in by hand.
+    """
+    views = {view.name: view for view in session.views}
+    found: list[str] = []
+    for first, second in combinations([result for result in results if result.used], 2):
+        a, b = views[first.name], views[second.name]
+        if a.sensor.depth_unit_mm is None or a.sensor.serial != b.sensor.serial:
+            continue
+        was_moved = a.times is not None and b.times is not None and not a.times.overlap(b.times)
+        if not was_moved and _same_place_mm(first, second) is None:
+            found.append(
+                Message(
+                    "The views {first} and {second} name one camera, {serial}, in two places; "
+                    "unless it was moved between them, give each view the sensor.json of its own "
+                    "camera.",
+                    first=first.name,
+                    second=second.name,
+                    serial=a.sensor.serial,
+                )
+            )
+    return found
+
+
+def _same_place_mm(first: ViewResult, second: ViewResult) -> float | None:
+    """Return how far apart two sensors stood in the same place; None in different places."""
+    a, b = first.sensor2reference, second.sensor2reference
+    if a is None or b is None:
+        return None
+    apart_mm = float(np.linalg.norm(a[:3, 3] - b[:3, 3]))
+    turned_deg = rotation_angle_deg(a[:3, :3].T @ b[:3, :3])
+    is_same = apart_mm < _SAME_PLACE_MM and turned_deg < _SAME_DIRECTION_DEG
+    return apart_mm if is_same else None
+
+
 def _same_places(session: Session, results: list[ViewResult]) -> list[str]:
     """Name the pairs of different sensors that had the same pose."""
     serials = {view.name: view.sensor.serial for view in session.views}
@@ -287,12 +325,8 @@ def _same_places(session: Session, results: list[ViewResult]) -> list[str]:
     for first, second in combinations([result for result in results if result.used], 2):
         if serials[first.name] == serials[second.name]:
             continue
-        a, b = first.sensor2reference, second.sensor2reference
-        if a is None or b is None:
-            continue
-        apart_mm = float(np.linalg.norm(a[:3, 3] - b[:3, 3]))
-        turned_deg = rotation_angle_deg(a[:3, :3].T @ b[:3, :3])
-        if apart_mm < _SAME_PLACE_MM and turned_deg < _SAME_DIRECTION_DEG:
+        apart_mm = _same_place_mm(first, second)
+        if apart_mm is not None:
             found.append(
                 Message(
                     "The sensors of the views {first} and {second} stood in the same place "

@@ -196,6 +196,11 @@ class FrameTimes:
         """The longest time between a colour frame and the depth frame next to it."""
         return max(min(abs(color - depth) for depth in self.depth_ms) for color in self.color_ms)
 
+    def overlap(self, other: FrameTimes) -> bool:
+        """Return whether depth was taken meanwhile by a view with the same clock."""
+        begins_ms = max(min(self.depth_ms), min(other.depth_ms))
+        return begins_ms <= min(max(self.depth_ms), max(other.depth_ms))
+
 
 @dataclass(frozen=True, eq=False)
 class View:

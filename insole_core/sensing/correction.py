@@ -269,17 +269,14 @@ def parse_correction(
         raise InputError(
             '{name} holds no readable array "offset"; calibrate the sensor again.', name=name
         )
+    record = _record_among(name, arrays)
+    if record is not None and record.unit != image.unit:
+        raise _of_another_kind(name)
     _check_map(name, "offset", arrays["offset"], image)
     offset = (arrays["offset"] * image.raw_per_stored).astype(np.float32)
-    if "record" not in arrays:
+    if record is None:
         # Written by another program: the meaning of its other arrays is unknown.
         return DisparityCorrection(offset, record=CorrectionRecord(unit=image.unit))
-    try:
-        record = _record(name, str(arrays["record"]))
-    except InputError as error:
-        raise InputError(
-            '{name} holds no readable array "record"; calibrate the sensor again.', name=name
-        ) from error
     if record.version > VERSION:
         raise InputError(
             "{name} is of version {version}, which is newer than this program (it reads up to "
@@ -288,8 +285,6 @@ def parse_correction(
             version=record.version,
             newest=VERSION,
         )
-    if record.unit != image.unit:
-        raise _of_another_kind(name)
     for key in (*_ARRAYS, "coverage"):
         if key in arrays:
             _check_map(name, key, arrays[key], image)
@@ -305,6 +300,18 @@ def _of_another_kind(name: str) -> InputError:
         "its own correction.",
         name=name,
     )
+
+
+def _record_among(name: str, arrays: dict[str, npt.NDArray[Any]]) -> CorrectionRecord | None:
+    """Return what a file says of its origin; None for one of another program."""
+    if "record" not in arrays:
+        return None
+    try:
+        return _record(name, str(arrays["record"]))
+    except InputError as error:
+        raise InputError(
+            '{name} holds no readable array "record"; calibrate the sensor again.', name=name
+        ) from error
 
 
 def _record(name: str, text: str) -> CorrectionRecord:

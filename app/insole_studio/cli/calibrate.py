@@ -315,7 +315,8 @@ def _run_session(arguments: argparse.Namespace, progress: Progress) -> None:
     check_session_target(arguments.out)
     progress.step(0.0, "Reading the session")
     session = read_session(arguments.session)
-    correction = arguments.correction and load_correction(arguments.correction)
+    corrects = arguments.correction and any(v.sensor.depth_unit_mm is None for v in session.views)
+    correction = load_correction(arguments.correction) if corrects else None
     calibrated, warnings = calibrated_session(
         session, store_of(arguments), correction, arguments.insist
     )

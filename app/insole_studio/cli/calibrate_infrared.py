@@ -43,9 +43,11 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.calibration.infrared.learnt_reference import find_drift, learn_reference
     from insole_core.recording.sensor_folder import SENSOR_FILE, read_sensor
     from insole_core.sensing.infrared_reference import load_reference
+    from insole_core.workflows.calibration.sensor_store import delivering_raw_numbers
 
     named: Path = arguments.sensor
-    sensor = read_sensor(named.parent if named.name == SENSOR_FILE else named)
+    folder = named.parent if named.name == SENSOR_FILE else named
+    sensor = delivering_raw_numbers(read_sensor(folder))
     if arguments.check:
         reference = load_reference(arguments.check)
         wall = read_infrared_walls(arguments.walls, sensor.serial, progress.part(0, 0.7))[0]

@@ -80,7 +80,9 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         print(f"Warning: {note}", file=sys.stderr)
     progress.step(0.9, "Writing the report")
     conclude(chain_section(proof.evaluation, proof.verdict), ", ".join(proof.serials), arguments)
-    if arguments.apply:
+    if arguments.apply and not proof.is_learnt:
+        print(f"Warning: Nothing is stored. {proof.verdict.reason}", file=sys.stderr)
+    elif arguments.apply:
         path = proof.keep(CorrectionChoices(store_folder(arguments)))
         print(f"From now on used for these sensors: {proof.verdict.use}, as {path} says.")
 

@@ -124,12 +124,13 @@ def prepare(reading: DepthView, *, corrected: bool = True) -> PreparedView:
     ----------
     reading
     corrected
-        Whether the sensor's matching error is subtracted.
+        Whether the sensor's matching error is subtracted, if it was learnt for its family.
 
     Returns
     -------
     PreparedView
     """
+    corrected = corrected and reading.sensor.family.learnt
     outline = find_silhouette(reading)
     within = within_outline(reading, outline)
     right = without_matching_error(within) if corrected else within

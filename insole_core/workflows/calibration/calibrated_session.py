@@ -22,10 +22,12 @@ def calibrated_session(
 ) -> tuple[Session, tuple[str, ...]]:
     """Replace the sensor of every view by its stored calibration, or apply a given correction.
 
+    Sensors that deliver millimetres are not calibrated here; their views stay as recorded.
+
     Parameters
     ----------
     correction : optional
-        For all views, in place of the stored calibrations.
+        For all other views, in place of the stored calibrations.
     insist
         Use a correction of another sensor nevertheless.
 
@@ -46,6 +48,10 @@ def calibrated_session(
     views: list[View] = []
     warnings: list[str] = []
     for view in session.views:
+        if view.sensor.depth_unit_mm is not None:
+            views.append(view)
+            warnings.append(_as_recorded(view))
+            continue
         sensor = view.sensor if correction is not None else _kept(view, store)
         chosen = correction or sensor.correction
         if chosen is not None:
@@ -57,6 +63,16 @@ def calibrated_session(
             ]
         views.append(replace(view, sensor=sensor))
     return replace(session, views=tuple(views)), tuple(warnings)
+
+
+def _as_recorded(view: View) -> Message:
+    return Message(
+        "View {view} stays as it was recorded, because its sensor {serial}, a {model}, delivers "
+        "millimetres; only Kinects, which deliver raw numbers, are calibrated here.",
+        view=view.name,
+        serial=view.sensor.serial,
+        model=view.sensor.model,
+    )
 
 
 def _kept(view: View, store: SensorStore) -> Sensor:

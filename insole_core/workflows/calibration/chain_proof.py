@@ -42,12 +42,15 @@ class ChainProof:
         Of the sensors, sorted.
     notes
         Views that could not be used, a sentence each.
+    is_learnt
+        Whether there is a learnt correction for any of the sensors, so that there is a choice.
     """
 
     evaluation: ChainEvaluation
     verdict: Verdict
     serials: tuple[str, ...]
     notes: tuple[str, ...]
+    is_learnt: bool = True
 
     def keep(self, choices: CorrectionChoices) -> Path:
         """Make the verdict the default for sessions of these sensors.
@@ -91,7 +94,9 @@ def prove_chain(
     Cancelled
     """
     check_once(paths)
-    serials = _common_serials([open_session(path) for path in paths])
+    sessions = [open_session(path) for path in paths]
+    serials = _common_serials(sessions)
+    choice = sessions[0].correction
     captures: list[Capture] = []
     for path, part in zip(paths, progress.part(0.0, 0.8).parts(len(paths)), strict=True):
         opened = measure_session(path, part.part(0.0, 0.4))
@@ -99,7 +104,8 @@ def prove_chain(
     progress.step(0.8, "Comparing with the truth")
     evaluation = evaluate_chain(known, captures)
     notes = tuple(note for capture in captures for note in _notes(capture))
-    return ChainProof(evaluation, judge(evaluation), serials, notes)
+    verdict = judge(evaluation) if choice.is_learnt else Verdict("none", True, choice.reason)
+    return ChainProof(evaluation, verdict, serials, notes, choice.is_learnt)
 
 
 def check_once(paths: Sequence[Path]) -> None:

@@ -37,17 +37,24 @@ class CorrectionChoice:
         For the user where something other than the default is done, or a choice cannot be read;
         a sentence, often empty.
     reason
-        What the proof found, in the words of its report.
+        What the proof found, in the words of its report, or why there is no choice.
+    is_learnt
+        Whether there is a learnt correction for any of the sensors.
     """
 
     corrected: bool = True
     chosen_by: ChosenBy = "default"
     note: str = ""
     reason: str = ""
+    is_learnt: bool = True
 
     def called(self, corrected: bool | None) -> CorrectionChoice:
-        """Return the choice of the caller, or this one where he makes none."""
-        return self if corrected is None else CorrectionChoice(corrected, "call")
+        """Return the choice of the caller, or this one where he makes none that is possible."""
+        if corrected is None:
+            return self
+        if corrected and not self.is_learnt:
+            return replace(self, note=self.reason)
+        return CorrectionChoice(corrected, "call")
 
     def json(self) -> dict[str, Any]:
         """Return it for a report."""
@@ -59,6 +66,13 @@ class CorrectionChoice:
 
 
 BY_DEFAULT = CorrectionChoice()
+NOT_LEARNT = CorrectionChoice(
+    corrected=False,
+    reason=Message(
+        "No correction is learnt for sensors of this kind, so their depth is used as it is."
+    ),
+    is_learnt=False,
+)
 
 
 @dataclass(frozen=True)
@@ -163,6 +177,8 @@ def choice_for(session: Session, sensors: Path | None = None) -> CorrectionChoic
     sensors
         Folder of the calibrated sensors, by default this user's.
     """
+    if not any(view.sensor.family.learnt for view in session.views):
+        return NOT_LEARNT
     choices = CorrectionChoices(sensors or sensors_folder_of_user())
     return choices.of(view.sensor.serial for view in session.views)
 

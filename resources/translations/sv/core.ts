@@ -1884,10 +1884,6 @@
             <translation>Lägger ut styckena</translation>
         </message>
         <message>
-            <source>No Kinect is plugged in; plug in its USB cable and its 12 V supply.</source>
-            <translation>Ingen Kinect är ansluten; anslut dess USB-kabel och dess 12 V-aggregat.</translation>
-        </message>
-        <message>
             <source>No board has depth at its corners; hold it 600 to 1500 mm from the sensor.</source>
             <translation>Inget bräde har djup vid sina hörn; håll det 600 till 1500 mm från sensorn.</translation>
         </message>
@@ -1902,6 +1898,10 @@
         <message>
             <source>No column holds the names; say which one does.</source>
             <translation>Ingen kolumn innehåller namnen; ange vilken som gör det.</translation>
+        </message>
+        <message>
+            <source>No correction is learnt for sensors of this kind, so their depth is used as it is.</source>
+            <translation>Ingen korrektion är inlärd för sensorer av detta slag, så deras djup används som det är.</translation>
         </message>
         <message>
             <source>No distance of the object was measured; mark its points again.</source>
@@ -1942,6 +1942,10 @@
         <message>
             <source>No published series has measured so much; the model overrates it.</source>
             <translation>Ingen publicerad serie har mätt så mycket; modellen överskattar det.</translation>
+        </message>
+        <message>
+            <source>No sensor is plugged in; plug in its USB cable, and its power supply if it has one.</source>
+            <translation>Ingen sensor är ansluten; anslut dess USB-kabel, och dess nätaggregat om den har ett.</translation>
         </message>
         <message>
             <source>No single toes are seen, as in a sock or where they melted together, so what lies at them is a guess; see that it is a foot, and no shoe last or prosthesis.</source>
@@ -3092,6 +3096,10 @@
             <translation>Kopian {path} av osparat arbete är skadad; den sparas som {kept} i {days} dagar.</translation>
         </message>
         <message>
+            <source>The correction is not for the depth of sensor {serial}, a {model}; use one that was measured on this kind of sensor.</source>
+            <translation>Korrektionen gäller inte djupet från sensor {serial}, en {model}; använd en som mättes på detta slags sensor.</translation>
+        </message>
+        <message>
             <source>The correction is {age}; calibrate the sensor again soon.</source>
             <translation>Korrektionen är {age}; kalibrera om sensorn snart.</translation>
         </message>
@@ -4036,6 +4044,10 @@
             <translation>Vyerna {first} och {second} skiljer sig {apart_mm:.0f} mm; se om foten eller referenssystemet flyttades mellan dem.</translation>
         </message>
         <message>
+            <source>The views {first} and {second} name one camera, {serial}, in two places; unless it was moved between them, give each view the sensor.json of its own camera.</source>
+            <translation>Vyerna {first} och {second} anger en och samma kamera, {serial}, på två platser; om den inte flyttades emellan ska varje vy få sensor.json från sin egen kamera.</translation>
+        </message>
+        <message>
             <source>The views {views} are both given to sensor {serial}, which cannot take them at the same time; give each view its own sensor, or capture one after the other.</source>
             <translation>Vyerna {views} är båda tilldelade sensor {serial}, som inte kan ta dem samtidigt; ge varje vy sin egen sensor, eller ta dem efter varandra.</translation>
         </message>
@@ -4658,6 +4670,10 @@
         <message>
             <source>View {view} measured depth in only {share:.1%} of its picture; check that it is far enough from the foot and not covered, and capture this view again.</source>
             <translation>Vyn {view} mätte djup i bara {share:.1%} av sin bild; kontrollera att sensorn är tillräckligt långt från foten och inte täckt, och ta vyn igen.</translation>
+        </message>
+        <message>
+            <source>View {view} stays as it was recorded, because its sensor {serial}, a {model}, delivers millimetres; only Kinects, which deliver raw numbers, are calibrated here.</source>
+            <translation>Vyn {view} förblir som den spelades in, eftersom dess sensor {serial}, en {model}, levererar millimeter; bara Kinect-sensorer, som levererar råtal, kalibreras här.</translation>
         </message>
         <message>
             <source>View {view} was recorded with sensor {serial}, which was never calibrated here; calibrate it first.</source>

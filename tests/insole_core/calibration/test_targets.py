@@ -106,6 +106,21 @@ def correction(serial: str) -> DisparityCorrection:
 NOW = datetime(2026, 11, 21, tzinfo=UTC)
 
 
+def test_a_correction_of_another_kind_of_sensor_is_refused() -> None:
+    stereo = replace(sensor(), model="d415", depth_unit_mm=0.1, baseline_mm=55.0)
+    of_stereo = replace(correction("A1"), record=replace(correction("A1").record, unit="px"))
+    assert apply_correction(stereo, of_stereo, NOW).sensor.correction is of_stereo
+    small = replace(of_stereo, offset=np.ones((48, 64), np.float32))
+    for known, other in (
+        (stereo, correction("A1")),
+        (stereo, small),
+        (sensor(), of_stereo),
+        (replace(stereo, baseline_mm=None), of_stereo),
+    ):
+        with pytest.raises(CalibrationError, match="is not for the depth of sensor A1, a "):
+            apply_correction(known, other, NOW, insist=True)
+
+
 def test_the_own_correction_is_applied() -> None:
     result = apply_correction(sensor(), correction("A1"), NOW)
     assert result.warnings == ()

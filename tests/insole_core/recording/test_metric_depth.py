@@ -15,6 +15,9 @@ import pytest
 
 from insole_core.errors import InputError
 from insole_core.geometry.side import BOTH, Side
+from insole_core.geometry.transforms import rigid
+from insole_core.reconstruct.result import ViewResult
+from insole_core.reconstruct.warnings import warnings_of
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import (
     FootPlace,
@@ -199,6 +202,29 @@ def test_two_cameras_of_one_serial_are_refused(mixed: Session, tmp_path: Path) -
     write_session(replace(mixed, views=views), tmp_path / "twice")
     with pytest.raises(InputError, match="the views left and top name one sensor, SIM1, but two"):
         read_session(tmp_path / "twice")
+
+
+def placed(name: str, x_mm: float) -> ViewResult:
+    return ViewResult(name, True, sensor2reference=rigid(np.eye(3), np.array([x_mm, 0.0, 0.0])))
+
+
+@pytest.mark.parametrize(
+    ("x_mm", "times", "is_told"),
+    [
+        (300.0, None, True),
+        (300.0, FrameTimes((20.0,), (20.0,)), True),
+        (300.0, FrameTimes((9000.0, 9033.0), (9000.0,)), False),  # moved by hand meanwhile
+        (1.0, None, False),  # a second burst
+    ],
+)
+def test_one_camera_in_two_places_is_told(
+    mixed: Session, x_mm: float, times: FrameTimes | None, is_told: bool
+) -> None:
+    first = mixed.views[0]
+    twice = replace(mixed, views=(first, replace(first, name="top", times=times)))
+    told = warnings_of(twice, [placed("left", 0.0), placed("top", x_mm)], {})
+    sentence = "The views left and top name one camera, SIM1, in two places; unless it was moved"
+    assert any(warning.startswith(sentence) for warning in told) is is_told
 
 
 def test_an_infrared_picture_of_another_size_is_refused(metric_folder: Path) -> None:

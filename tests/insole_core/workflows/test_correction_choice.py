@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from insole_core.errors import InputError
+from insole_core.recording.reader import read_session
 from insole_core.workflows.calibration.correction_choice import (
     BY_DEFAULT,
     CHOICES_FILE,
+    NOT_LEARNT,
     CorrectionChoices,
     Decision,
+    choice_for,
 )
 
+SESSION = Path(__file__).parents[2] / "data" / "sessions" / "both_small.zip"
 ABC, AB = frozenset("ABC"), frozenset("AB")
 
 
@@ -44,6 +49,26 @@ def test_a_decision_holds_for_its_sensors_and_for_some_of_them(tmp_path: Path) -
     assert choices.of("AC").corrected
     assert choices.of("AC").note == ""
     assert len(json.loads(choices.path.read_text())["sets"]) == 2
+
+
+def test_there_is_no_choice_where_nothing_is_learnt(tmp_path: Path) -> None:
+    session = read_session(SESSION)
+    views = tuple(
+        replace(view, sensor=replace(view.sensor, depth_unit_mm=0.1, baseline_mm=55.0))
+        for view in session.views
+    )
+    stereo = replace(session, views=views)
+    serials = frozenset(view.sensor.serial for view in views)
+    CorrectionChoices(tmp_path).keep(decided(serials, corrected=True))
+    chosen = choice_for(stereo, tmp_path)
+    assert chosen == chosen.called(None) == NOT_LEARNT
+    assert chosen.note == ""
+    asked = chosen.called(True)
+    assert not asked.corrected
+    assert asked.note == asked.json()["reason"] != ""
+    assert asked.json() | {"reason": ""} == {"used": "none", "chosen_by": "default", "reason": ""}
+    mixed = replace(session, views=(views[0], *session.views[1:]))
+    assert choice_for(mixed, tmp_path).called(True).json()["used"] == "learnt"
 
 
 def test_what_others_wrote_stays(tmp_path: Path) -> None:

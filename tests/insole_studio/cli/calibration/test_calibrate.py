@@ -29,7 +29,10 @@ from insole_core.calibration.plausibility import USUAL_DEPTH
 from insole_core.calibration.stored_correction import MOST_DAYS
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
+from insole_core.recording.writer import write_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
+from insole_core.sensing.metric_depth import StereoDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.cli.main import run
@@ -380,6 +383,45 @@ def test_session_takes_the_kept_calibration(
         assert after.sensor.depth_camera.cx == before.sensor.depth_camera.cx + 1
         assert after.sensor.faces == before.sensor.faces
         np.testing.assert_array_equal(after.read_depth(0), before.read_depth(0))
+
+
+def test_views_of_stereo_cameras_stay_as_they_were_recorded(
+    tmp_path: Path, small_session: Path, capsys
+) -> None:
+    session = read_session(small_session)
+    left, *others = session.views
+    depth = np.full((48, 64), 5000, np.uint16)
+    record = CorrectionRecord("D1", datetime.now(UTC).isoformat(), unit="px")
+    of_stereo = DisparityCorrection(np.ones((48, 64), np.float32), record=record)
+    camera = replace(
+        left.sensor, model="realsense-d415", serial="D1",
+        depth_camera=PinholeCamera(64, 48, 50.0, 50.0, 32.0, 24.0),
+        disparity=StereoDisparity(50.0, 55.0), depth_unit_mm=0.1, baseline_mm=55.0,
+        correction=of_stereo,
+    )  # fmt: skip
+    stereo = replace(left, sensor=camera, read_depth=lambda _: depth)
+    given, out = tmp_path / "given", tmp_path / "out"
+    write_session(replace(session, views=(stereo, *others)), given)
+    of_kinects = DisparityCorrection(np.ones((480, 640), np.float32))
+    of_kinects.save(tmp_path / "k.npz")
+    of_stereo.save(tmp_path / "d.npz")
+    words = ["calibrate", "session", str(given), "--out", str(out), "--correction"]
+    assert run([*words, str(tmp_path / "d.npz")]) == 1
+    assert "d.npz corrects another kind of sensor" in capsys.readouterr().err
+    assert run([*words, str(tmp_path / "k.npz")]) == 0
+    told = "Warning: View left stays as it was recorded, because its sensor D1, a realsense-d415,"
+    assert told in capsys.readouterr().err
+    kept, *corrected = read_session(out).views
+    assert kept.sensor.correction is not None
+    assert kept.sensor.correction.record == record
+    assert all(view.sensor.correction.offset[0, 0] == 1 for view in corrected)
+
+    alone = replace(session.manifest, views=("left",))
+    write_session(replace(session, manifest=alone, views=(stereo,)), tmp_path / "alone")
+    words = ["calibrate", "session", str(tmp_path / "alone"), "--out", str(tmp_path / "copy")]
+    assert run([*words, "--sensors", str(tmp_path / "sensors")]) == 0
+    assert told in capsys.readouterr().err
+    assert read_session(tmp_path / "copy").views[0].sensor.serial == "D1"
 
 
 @pytest.mark.slow

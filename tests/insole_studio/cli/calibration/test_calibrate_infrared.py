@@ -219,3 +219,15 @@ def test_a_spoilt_or_foreign_reference_is_refused(
     ):
         assert run(learnt.checking(learnt.walls, path)) == 1
         assert sentence in last_line()
+
+
+def test_a_stereo_camera_has_no_such_pattern(
+    learnt: Learnt, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    stereo = replace(SENSOR, model="realsense-d415", depth_unit_mm=0.1, correction=None)
+    sensor = write_sensor_beside(tmp_path / "sensor", stereo)
+    words = ["calibrate", "infrared", str(learnt.walls), "--sensor", str(sensor)]
+    for what in (["--out", str(tmp_path / "new.npz")], ["--check", str(learnt.out)]):
+        assert run([*words, *what]) == 1
+        assert "is a realsense-d415, which delivers millimetres; only" in capsys.readouterr().err
+    assert not (tmp_path / "new.npz").exists()

@@ -16,6 +16,7 @@ from insole_core.evaluation.known_object import KnownRound
 from insole_core.reconstruct.fusion import matching_error
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
+from insole_core.sensing import sensor
 from insole_core.simulate import SimulationOptions, simulate_session
 from insole_core.simulate.known_bodies import ball
 from insole_core.workflows.calibration.chain_proof import ChainProof, prove_chain
@@ -103,6 +104,33 @@ def test_a_wrong_correction_is_switched_off(
     made = reconstruct_session(opened)
     assert made.correction_mm is None
     assert "found it to do harm" in made.warnings[-1]
+    forget_results()
+
+
+def test_where_nothing_is_learnt_there_is_nothing_to_choose(
+    session: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    forget_results: Callable[[], None],
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    forget_results()
+    monkeypatch.setattr(sensor, "KINECT_V1", replace(sensor.KINECT_V1, learnt=False))
+    report, sensors = tmp_path / "report.json", tmp_path / "sensors"
+    words = ["--report", str(report), "--sensors", str(sensors)]
+    call = ["evaluate", "chain", str(session), "--ball", "--diameter", "120", "--apply"]
+    assert run([*call, *words]) == 0
+    (*_, told) = capsys.readouterr().err.splitlines()
+    assert told.startswith("Warning: Nothing is stored. No correction is learnt for sensors of")
+    assert not sensors.exists()
+    tables = json.loads(report.read_text())["sections"]["chain"]["tables"]
+    assert tables["Verdict"][0]["use"] == "none"
+    for row in tables["Single readings of each sensor, in the place that fits it alone"]:
+        assert row["mean without"] == row["mean learnt"]
+    foot = ["reconstruct", str(session), "--out", str(tmp_path / "ball.ply")]
+    assert run([*foot, "--correction", "learnt", *words]) == 0
+    assert "Warning: No correction is learnt for sensors of" in capsys.readouterr().err
+    assert json.loads(report.read_text())["correction"]["used"] == "none"
     forget_results()
 
 
