@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.messages import joined
 from insole_studio.acquisition.capture_plan import MOST_SENSORS
 from insole_studio.acquisition.messages import Capability, Sensors, SensorState
 from insole_studio.acquisition.rig import Rig
@@ -43,21 +44,19 @@ class LiveSensors:
     @property
     def is_time_to_find(self) -> bool:
         """Whether no sensor is open, or one was plugged in or out since the last search."""
-        try:
-            return not self.opened or self._rig.places() != self._places
-        except SensorError:
-            return True
+        return not self.opened or self._rig.places() != self._places
 
     def find(self) -> None:
         """Open every sensor that is plugged in and not open yet."""
+        self._places = self._rig.places()
         try:
-            self._places = self._rig.places()
             found = self._rig.require()
         except SensorError as error:
             self._problem = str(error)
             return
-        others = [sensor for sensor in found if sensor.serial not in self.opened]
-        self._problem = next((sensor.problem for sensor in others if sensor.problem), None)
+        others = [sensor for sensor in found.sensors if sensor.serial not in self.opened]
+        problems = [*found.problems, *(sensor.problem for sensor in others if sensor.problem)]
+        self._problem = joined(dict.fromkeys(problems), " ") or None
         for sensor in others:
             if sensor.problem is None and sensor.serial:
                 self._open(sensor.serial, sensor.model or "", sensor.bus)
@@ -67,8 +66,7 @@ class LiveSensors:
         for serial, sensor in self.opened.items():
             self._note(serial, None)
             try:
-                if serial in self._infrared:
-                    require(sensor, Capability.INFRARED)
+                if serial in self._infrared and Capability.INFRARED in sensor.capabilities:
                     sensor.start_infrared()
                 else:
                     sensor.start()
@@ -76,8 +74,16 @@ class LiveSensors:
                 self._note(serial, str(error))
 
     def watch_infrared(self, serial: str, on: bool) -> None:
-        """Stream infrared pictures of a sensor instead of colour, or colour again."""
+        """Stream infrared pictures of a sensor instead of colour, or colour again.
+
+        Raises
+        ------
+        SensorError
+            When it has no infrared pictures; it goes on with what it streams.
+        """
         if on:
+            if serial in self.opened:
+                require(self.opened[serial], Capability.INFRARED)
             self._infrared.add(serial)
         else:
             self._infrared.discard(serial)

@@ -234,7 +234,7 @@ class Sensors:
     Parameters
     ----------
     problem
-        Why there are no sensors.
+        Why there are no sensors, or why some are missing.
     """
 
     states: tuple[SensorState, ...]

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import chain
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
 
+from insole_core.messages import joined
 from insole_studio.acquisition.messages import DetectedSensor
 from insole_studio.acquisition.sensor_port import (
     NoSensorFoundError,
@@ -12,6 +15,21 @@ from insole_studio.acquisition.sensor_port import (
     SensorError,
     SensorPort,
 )
+
+
+@dataclass(frozen=True)
+class FoundSensors:
+    """The sensors that are plugged in, and why others may be missing.
+
+    Parameters
+    ----------
+    sensors
+    problems
+        Why a family could not be looked for, a sentence each.
+    """
+
+    sensors: tuple[DetectedSensor, ...]
+    problems: tuple[str, ...] = ()
 
 
 class Rig:
@@ -26,7 +44,7 @@ class Rig:
     def __init__(self, *ports: SensorPort) -> None:
         self._ports = ports
 
-    def find(self) -> tuple[DetectedSensor, ...]:
+    def find(self) -> FoundSensors:
         """List the sensors that are plugged in, without disturbing any.
 
         Raises
@@ -42,19 +60,21 @@ class Rig:
             except SensorError as error:
                 failures.append(error)
         if failures and not found:
-            raise failures[0]
-        return tuple(found)
+            raise _all_of(failures)
+        return FoundSensors(tuple(found), tuple(str(error) for error in failures))
 
     def places(self) -> frozenset[Place]:
         """Return where sensors are plugged in, without querying them; a replug changes it.
 
-        Raises
-        ------
-        SensorError
+        A family that cannot be looked for has none; `find` says why.
         """
-        return frozenset(chain.from_iterable(port.places() for port in self._ports))
+        places: set[Place] = set()
+        for port in self._ports:
+            with suppress(SensorError):
+                places |= port.places()
+        return frozenset(places)
 
-    def require(self) -> tuple[DetectedSensor, ...]:
+    def require(self) -> FoundSensors:
         """List the sensors that are plugged in, and raise if there are none.
 
         Raises
@@ -62,9 +82,10 @@ class Rig:
         NoSensorFoundError, SensorError
         """
         found = self.find()
-        if not found:
+        if not found.sensors:
             raise NoSensorFoundError(
-                "No Kinect is plugged in; plug in its USB cable and its 12 V supply."
+                "No sensor is plugged in; plug in its USB cable, and its power supply if it has "
+                "one."
             )
         return found
 
@@ -76,10 +97,20 @@ class Rig:
         SensorError
             When it is not plugged in, has no power or no permission, or another program uses it.
         """
-        *others, last = self._ports
-        for port in others:
+        failures: list[SensorError] = []
+        for port in self._ports:
             try:
                 return port.open(serial)
-            except NoSensorFoundError:
-                continue
-        return last.open(serial)
+            except SensorError as error:
+                failures.append(error)
+        others = [error for error in failures if not isinstance(error, NoSensorFoundError)]
+        raise _all_of(others or failures)
+
+
+def _all_of(failures: Sequence[SensorError]) -> SensorError:
+    """Return the only failure, or one that tells all of them."""
+    if len(failures) == 1:
+        return failures[0]
+    kinds = {type(error) for error in failures}
+    kind = NoSensorFoundError if kinds == {NoSensorFoundError} else SensorError
+    return kind(joined((str(error) for error in failures), " "))

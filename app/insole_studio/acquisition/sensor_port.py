@@ -15,7 +15,7 @@ from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.messages import Message
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.messages import Capability, DetectedSensor
+from insole_studio.acquisition.messages import Capability, DetectedSensor, SensorState
 
 ColorSize = tuple[int, int]
 Place = tuple[str, int, int]
@@ -254,6 +254,13 @@ _LACKS = {
 }
 
 
+def lack_of(sensor: OpenSensor | SensorState, capability: Capability) -> Message | None:
+    """Return the sentence that a sensor cannot do something and what to do; None if it can."""
+    if capability in sensor.capabilities:
+        return None
+    return Message("Sensor {serial} {lacks}.", serial=sensor.serial, lacks=_LACKS[capability])
+
+
 def require(sensor: OpenSensor, capability: Capability) -> None:
     """Check that a sensor can do what somebody asks of it.
 
@@ -261,7 +268,6 @@ def require(sensor: OpenSensor, capability: Capability) -> None:
     ------
     SensorError
     """
-    if capability not in sensor.capabilities:
-        raise SensorError(
-            "Sensor {serial} {lacks}.", serial=sensor.serial, lacks=_LACKS[capability]
-        )
+    lack = lack_of(sensor, capability)
+    if lack is not None:
+        raise SensorError(lack)

@@ -91,7 +91,10 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
 
     source = sensor_source_of(arguments, arguments.reference)
     rig, setup = source.rig(), source.setup()
-    found = len(rig.require())
+    looked = rig.require()
+    for problem in looked.problems:
+        print(f"Warning: {problem}", file=sys.stderr)
+    found = len(looked.sensors)
     left = _left_draft(arguments.resume) if arguments.resume else None
     request = _request(arguments, source, found, left)
     draft = left or _new_draft(arguments, request, source, setup, held)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
@@ -25,13 +26,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Print one line for each sensor."""
     rig = sensor_source_of(arguments).rig()
-    found = rig.find()
+    looked = rig.find()
+    found = looked.sensors
     if arguments.json:
         print(json.dumps([_values(sensor) for sensor in found], indent=1))
     for sensor in () if arguments.json else found:
         print(
             sensor.serial or "-", sensor.model or "-", f"bus {sensor.bus}", _state(sensor), sep="\t"
         )
+    for problem in looked.problems:
+        print(f"Warning: {problem}", file=sys.stderr)
     rig.require()
 
 

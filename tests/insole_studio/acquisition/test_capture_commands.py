@@ -263,9 +263,9 @@ def test_no_sensor_at_all(
         "insole_studio.acquisition.sensor_source.system_bus", lambda: UsbBus(EmulatedBus([]))
     )
     assert run(["sensors"]) == 1
-    assert "No Kinect is plugged in" in last_line(capsys)
+    assert "No sensor is plugged in" in last_line(capsys)
     assert run(["capture", "--out", str(tmp_path / "s"), "--side", "left"]) == 1
-    assert "No Kinect is plugged in" in last_line(capsys)
+    assert "No sensor is plugged in" in last_line(capsys)
 
 
 @pytest.mark.parametrize(

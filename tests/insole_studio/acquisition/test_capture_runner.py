@@ -263,7 +263,7 @@ def test_a_second_user_is_told(bench: Bench) -> None:
 
 def test_no_sensor(make: Callable[..., Bench]) -> None:
     bench = make(serials=())
-    with pytest.raises(NoSensorFoundError, match="No Kinect is plugged in"):
+    with pytest.raises(NoSensorFoundError, match="No sensor is plugged in"):
         bench.rig.require()
 
 
@@ -275,14 +275,14 @@ def test_an_unknown_sensor_names_those_that_are_there(bench: Bench) -> None:
 
 def test_motor_only_says_that_power_is_missing(make: Callable[..., Bench]) -> None:
     bench = make(powered=False)
-    assert all("12 V" in str(sensor.problem) for sensor in bench.rig.require())
+    assert all("12 V" in str(sensor.problem) for sensor in bench.rig.require().sensors)
     with pytest.raises(NoSensorFoundError, match="12 V supply"):
         bench.rig.open("A1")
 
 
 def test_no_permission_names_the_rule(bench: Bench) -> None:
     bench.emulated.denied = True
-    assert all("70-kinect-v1.rules" in str(s.problem) for s in bench.rig.find())
+    assert all("70-kinect-v1.rules" in str(s.problem) for s in bench.rig.find().sensors)
     with pytest.raises(SensorError, match=r"70-kinect-v1\.rules"):
         bench.rig.open("A1")
 

@@ -74,7 +74,7 @@ def test_a_smaller_picture_keeps_its_middle() -> None:
 def test_every_sensor_of_a_session_is_found(small_session: Path) -> None:
     session = read_session(small_session)
     rig = Rig(KinectPort(UsbBus(EmulatedRig(session).bus)))
-    found = rig.require()
+    found = rig.require().sensors
     assert [s.serial for s in found] == [view.sensor.serial for view in session.views]
     assert len({s.bus for s in found}) == 3
     assert emulated_views(session) == tuple((v.name, v.sensor.serial) for v in session.views)

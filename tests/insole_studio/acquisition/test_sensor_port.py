@@ -123,9 +123,13 @@ class PlainPort:
         return (DetectedSensor(SERIAL, "plain", 7, "7-1"),)
 
     def places(self) -> frozenset[Place]:
+        if self._problem:
+            raise SensorError(self._problem)
         return frozenset({("plain", 7, 1)})
 
     def open(self, serial: str) -> OpenSensor:
+        if self._problem:
+            raise SensorError(self._problem)
         if serial != SERIAL:
             raise NoSensorFoundError("No plain camera has this serial number; plug it in.")
         return PlainCamera()
@@ -138,19 +142,46 @@ def kinects(bench: Bench) -> SensorPort:
 
 def test_the_sensors_of_all_families_are_found_and_opened(kinects: SensorPort) -> None:
     rig = Rig(kinects, PlainPort())
-    assert [sensor.serial for sensor in rig.require()] == ["A1", "B2", "C3", SERIAL]
+    found = rig.require()
+    assert not found.problems
+    assert [sensor.serial for sensor in found.sensors] == ["A1", "B2", "C3", SERIAL]
     assert {family for family, *_ in rig.places()} == {"kinect-v1", "plain"}
     with rig.open(SERIAL) as plain, rig.open("B2") as kinect:
         assert (plain.model, kinect.capabilities) == ("plain", frozenset(Capability))
-    with pytest.raises(NoSensorFoundError):
+    with pytest.raises(NoSensorFoundError, match=r"No sensor has the number D4.* No plain camera"):
         rig.open("D4")
 
 
 def test_a_family_that_cannot_be_looked_for_hides_no_other(kinects: SensorPort) -> None:
-    missing = PlainPort("The library of the camera is missing; install it.")
-    assert len(Rig(missing, kinects).find()) == 3
+    sentence = "The library of the camera is missing; install it."
+    missing = PlainPort(sentence)
+    rig = Rig(missing, kinects)
+    found = rig.find()
+    assert (len(found.sensors), found.problems) == (3, (sentence,))
+    assert {family for family, *_ in rig.places()} == {"kinect-v1"}
+    with rig.open("B2") as kinect:
+        assert kinect.serial == "B2"
+    with pytest.raises(SensorError, match="library of the camera is missing"):
+        rig.open(SERIAL)
     with pytest.raises(SensorError, match="library of the camera is missing"):
         Rig(missing).find()
+
+
+def test_the_window_has_the_others_and_says_why_a_family_is_missing(kinects: SensorPort) -> None:
+    sentence = "The library of the camera is missing; install it."
+    live = LiveSensors(Rig(kinects, PlainPort(sentence)), lambda _slot, _image: None)
+    live.find()
+    assert sorted(live.opened) == ["A1", "B2", "C3"]
+    assert live.summary.problem == sentence
+    assert not live.is_time_to_find
+    live.close()
+
+
+def test_all_families_that_fail_say_why() -> None:
+    rig = Rig(PlainPort("One is missing."), PlainPort("Another is missing."))
+    for failing in (rig.find, rig.require, lambda: rig.open(SERIAL)):
+        with pytest.raises(SensorError, match=r"One is missing\. Another is missing\."):
+            failing()
 
 
 def test_only_what_a_sensor_can_do_is_asked_of_it() -> None:
@@ -159,10 +190,15 @@ def test_only_what_a_sensor_can_do_is_asked_of_it() -> None:
     live.find()
     live.start()
     wait_for(lambda: live.pump() and (54, 96, 3) in shown and (72, 128) in shown)
-    live.watch_infrared(SERIAL, on=True)
+    works = live.opened[SERIAL]
+    with pytest.raises(SensorError, match=f"{SERIAL} sends no infrared pictures; choose one that"):
+        live.watch_infrared(SERIAL, on=True)
+    live.drop_lost()
+    live.find()
+    live.start()
     (state,) = live.summary.states
-    assert state.capabilities == frozenset()
-    assert state.problem == f"Sensor {SERIAL} sends no infrared pictures; choose one that does."
+    assert live.opened[SERIAL] is works
+    assert (state.capabilities, state.problem) == (frozenset(), None)
     with pytest.raises(SensorError, match="has no motor; turn it by hand"):
         require(live.opened[SERIAL], Capability.TILT)
     live.close()

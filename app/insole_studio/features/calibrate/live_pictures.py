@@ -34,6 +34,7 @@ from insole_core.workflows.calibration.picture_readiness import (
 from insole_studio.acquisition.capture_plan import make_plan
 from insole_studio.acquisition.guidance import depth_colors
 from insole_studio.acquisition.messages import (
+    Capability,
     CapturePhase,
     CaptureStatus,
     Infrared,
@@ -41,6 +42,7 @@ from insole_studio.acquisition.messages import (
     SensorState,
     Start,
 )
+from insole_studio.acquisition.sensor_port import lack_of
 from insole_studio.acquisition.service_client import CaptureService
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
 from insole_studio.texts import tr
@@ -146,7 +148,8 @@ class LivePictures:
         for event in self._service.news():
             if isinstance(event, Sensors):
                 self.states = event.states
-                self.problem = event.problem or ""
+                # What is wrong with others does not concern a sensor that is there.
+                self.problem = (event.problem or "") if self._state(serial) is None else ""
             elif isinstance(event, Message):
                 self.problem = event
             elif isinstance(event, CaptureStatus) and event.phase.is_end and self._draft:
@@ -160,7 +163,8 @@ class LivePictures:
             self._watch_infrared(serial if kind == "infrared" else "")
             for shown in _KINDS:
                 self._take_newest(state.slot, shown)
-            self.problem = state.problem or self.problem
+            lack = lack_of(state, Capability.INFRARED) if kind == "infrared" else None
+            self.problem = state.problem or lack or self.problem
         return done
 
     def glance_task(

@@ -526,10 +526,12 @@ class CapturePresenter:
         )
 
     def _status_sentence(self) -> str:
-        if self._status is None:
-            return ""
-        text = _describe(self._status, self._views)
-        return f"{text} {tr('The earlier scan is kept.')}" if self._is_earlier_back else text
+        parts = [] if self._status is None else [_describe(self._status, self._views)]
+        if parts and self._is_earlier_back:
+            parts.append(tr("The earlier scan is kept."))
+        if self._sensors.states and self._sensors.problem and not self.is_capturing:
+            parts.append(self._sensors.problem)
+        return joined(parts, " ")
 
     @property
     def _waits_for_hand(self) -> bool:

@@ -170,6 +170,14 @@ def test_without_sensors_it_says_why(bench: Bench) -> None:
     assert not bench.panel.capture.can_capture
 
 
+def test_it_says_why_another_sensor_is_missing(bench: Bench) -> None:
+    state = SensorState("A1", "1414", 1, 0, 30.0)
+    bench.tell(Sensors((state,), "The library is missing; install it."))
+    assert bench.panel.capture.sentence == "The library is missing; install it."
+    bench.plug_in()
+    assert bench.panel.capture.sentence == ""
+
+
 def test_a_new_sensor_gets_a_view_that_is_free(bench: Bench) -> None:
     bench.plug_in()
     assert [(row.serial, row.view) for row in bench.panel.rows] == [("B2", "left"), ("A1", "right")]
