@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -15,6 +16,7 @@ from insole_core.milling.tool_path import Motion, Operation, SideName
 from insole_core.progress import SILENT, Progress
 
 _DECIMALS = 3
+_FILE = "File"
 _PREAMBLE = "G17 G21 G40 G49 G80 G90 G94"
 """Plane xy, mm, no compensation of radius or length, no cycle, absolute, feed in mm/min."""
 
@@ -74,7 +76,9 @@ def programs(
         own = []
         while waiting and Station(waiting[0].side, waiting[0].cutter) == station:
             own.append(waiting.pop(0))
-        title = "Dowels" if station.side == "spoil board" else f"File {number} of {len(in_order)}"
+        title = (
+            "Dowels" if station.side == "spoil board" else f"{_FILE} {number} of {len(in_order)}"
+        )
         text = "\n".join(_file_lines(plan, station, own, title, job)) + "\n"
         files.append(ProgramFile(text, tuple(own)))
     return files
@@ -155,6 +159,17 @@ def _lines(plan: MillingPlan, job: str, progress: Progress) -> Iterator[str]:
 
 def _tool(number: int, name: str, spindle_rpm: float) -> dict[str, object]:
     return {"tool": number, "cutter": _comment(name), "spindle_rpm": f"{spindle_rpm:.0f}"}
+
+
+def head_of(text: str) -> str:
+    """Return the lines of a program in which its machine's header may name the job."""
+    return text.partition(_PREAMBLE)[0].partition(f"({_FILE} ")[0]
+
+
+def is_named_in(head: str, job: str) -> bool:
+    """Tell whether the head of a program names a job, as a whole and not as part of another."""
+    named = re.escape(_comment(job) or "-")
+    return re.search(rf"(?<![\w-]){named}(?![\w-])", head) is not None
 
 
 def _filled(lines: Sequence[str], words: dict[str, object]) -> Iterator[str]:

@@ -51,7 +51,13 @@ from insole_core.solids.print_presets import read_print_presets
 from insole_core.solids.shop import Block, Shop
 from insole_core.solids.solid import Kind, SolidOptions
 from insole_core.workflows.foot_landmarks import landmarks_of
-from insole_core.workflows.mill import MillingChoice, plan_job, program_paths, write_milling
+from insole_core.workflows.mill import (
+    MillingChoice,
+    plan_job,
+    program_paths,
+    require_no_other_program,
+    write_milling,
+)
 from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.print_order import PrintChoice, zoned_print
 
@@ -363,7 +369,7 @@ def write_order(
         When a text for the workshop holds the patient's name, the pieces carry serial numbers of
         another order or revision, or the prescription lacks what it states.
     OutputError
-        When a place cannot be written.
+        When a place cannot be written, or files of an earlier program lie beside it.
     Cancelled
     """
     named = (ordered_material(choice, part.insole.design) for part in parts)
@@ -373,6 +379,7 @@ def write_order(
     _require_serials(choice, release, [part.side for part in parts])
     if choice.prescription:
         require_prescription(choice, patient, responsible)
+    require_no_other_programs(parts, choice, path)
     places = _all_places(parts, choice, path, override is not None)
     if made is None:
         made = prepare(parts, choice, shop, {}, progress.part(0.0, 0.5))
@@ -548,6 +555,20 @@ def programs_of(parts: Sequence[Part], choice: OrderChoice, path: Path) -> tuple
     return tuple(program for place in places for program in place.programs)
 
 
+def require_no_other_programs(parts: Sequence[Part], choice: OrderChoice, path: Path) -> None:
+    """Check that no files of an earlier program of the same order lie beside the new ones.
+
+    Raises
+    ------
+    OutputError
+        Naming those files.
+    """
+    if choice.milling is not None:
+        for group in _groups(parts, choice):
+            program = _program(path, _stem(path, _word(group), choice))
+            require_no_other_program(program, choice.milling, choice.pseudonym)
+
+
 def word_of(parts: Sequence[Part], choice: OrderChoice) -> str:
     """Return the word in the name of the first file: left, right or pair."""
     return _word(_groups(parts, choice)[0])
@@ -569,9 +590,8 @@ def _word(group: Sequence[Part]) -> str:
 
 
 def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> ExportPaths:
-    """Return the paths of one export; left, right or pair is part of each name."""
-    stem = path.stem if path.suffix.lower() == choice.suffix else path.name
-    stem = "-".join([*(part for part in stem.split("-") if part not in _SIDE_WORDS), word])
+    """Return the paths of one export."""
+    stem = _stem(path, word, choice)
 
     def named(wanted: bool, ending: str) -> Path | None:
         return path.with_name(stem + ending) if wanted else None
@@ -581,13 +601,21 @@ def _places(path: Path, word: str, choice: OrderChoice, overridden: bool) -> Exp
         named(choice.checks or overridden, CHECKS.ending),
         named(choice.job_sheet, JOB_SHEET.ending),
         named(choice.prescription, "-prescription.pdf"),
-        ()
-        if choice.milling is None
-        else program_paths(path.with_name(stem + PROGRAM.ending), choice.milling),
+        () if choice.milling is None else program_paths(_program(path, stem), choice.milling),
         named(choice.milling is not None, SETUP_SHEET.ending),
         named(choice.milling is not None and choice.milling.both_sides, PIN_HOLES.ending),
         named(choice.outlines, OUTLINES.ending),
     )
+
+
+def _stem(path: Path, word: str, choice: OrderChoice) -> str:
+    """Return what the names of one export begin with; left, right or pair is part of it."""
+    stem = path.stem if path.suffix.lower() == choice.suffix else path.name
+    return "-".join([*(part for part in stem.split("-") if part not in _SIDE_WORDS), word])
+
+
+def _program(path: Path, stem: str) -> Path:
+    return path.with_name(stem + PROGRAM.ending)
 
 
 def _patient_facts(patient: Patient) -> dict[str, str]:

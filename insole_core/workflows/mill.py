@@ -15,15 +15,18 @@ from insole_core.formats.file_formats import PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.messages import Translate
-from insole_core.milling.gcode import Station, programs, stations
+from insole_core.milling.gcode import Station, head_of, is_named_in, programs, stations
 from insole_core.milling.machine import Machine, read_machine, write_machine
 from insole_core.milling.plan import FootInBlock, MillingPlan, plan_milling
 from insole_core.milling.spoil_board import spoil_board_plan
 from insole_core.progress import SILENT, Progress
+from insole_core.regular_file import open_regular
 from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportJob, ExportPaths
 from insole_core.solids.shop import Block
 from insole_core.workflows.named_files import NamedFiles
+
+_HEAD_BYTES = 2000
 
 
 @dataclass(frozen=True)
@@ -143,29 +146,48 @@ def _in_the_middle(
     return [TriangleMesh(solid.vertices + shift, solid.triangles) for solid in solids]
 
 
-def _require_no_other_program(paths: Sequence[Path]) -> None:
-    """Check that beside the files of a program none of an earlier one has a number of theirs.
+def require_no_other_program(path: Path, how: MillingChoice, job: str) -> None:
+    """Check that the files of a program do not come to lie beside others of an earlier one.
+
+    Another order may have a name of the same kind: earlier are those whose head names the same job,
+    or is that of a file that is replaced.
+
+    Parameters
+    ----------
+    path
+        As for `program_paths`.
+    job
+        By which the program names the order.
 
     Raises
     ------
     OutputError
         Naming those files.
     """
-    stem = paths[0].stem.removesuffix("-1") if len(paths) > 1 else paths[0].stem
-    like = re.compile(re.escape(stem) + r"(-\d+)?" + re.escape(paths[0].suffix))
-    names = {path.name for path in paths}
+    paths = program_paths(path, how)
+    replaced = {_head(own) for own in paths} - {""}
+    like = re.compile(re.escape(path.stem) + r"(-\d+)?" + re.escape(path.suffix))
+    alike = {each for each in path.parent.glob(f"*{path.suffix}") if like.fullmatch(each.name)}
+    heads = {each.name: _head(each) for each in alike.difference(paths)}
     others = sorted(
-        path.name
-        for path in paths[0].parent.iterdir()
-        if like.fullmatch(path.name) and path.name not in names
+        name for name, head in heads.items() if head in replaced or is_named_in(head, job)
     )
     if others:
         raise OutputError(
-            "{files} of an earlier program would lie beside {path}, and a shop could run both; "
-            "remove the earlier one, or give the program another name.",
+            "Files of an earlier program ({files}) would lie beside {path}, and a shop could run "
+            "both; remove them, or give the program another name.",
             files=", ".join(others),
             path=paths[0].name,
         )
+
+
+def _head(path: Path) -> str:
+    """Return the head of a program; empty where there is none, or none that can be read."""
+    try:
+        with open_regular(path) as file:
+            return head_of(file.read(_HEAD_BYTES).decode("ascii", "replace"))
+    except OSError:
+        return ""
 
 
 def write_milling(
@@ -195,13 +217,12 @@ def write_milling(
     Raises
     ------
     OutputError
-        When a place cannot be written, or files of an earlier program lie beside it.
+        When a place cannot be written.
     """
     from insole_core.workflows.setup_sheet import RouterFile, write_setup_sheet
 
     if not beside.programs:
         return
-    _require_no_other_program(places.programs)
     job, machine = identification["pseudonym"], plan.machine
     in_order = stations(machine, both_sides=plan.is_turned)
     texts = programs(plan, in_order, job, progress.part(0.0, 0.7))

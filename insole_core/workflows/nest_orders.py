@@ -51,7 +51,12 @@ from insole_core.solids.marking import mark
 from insole_core.solids.order import MARK_AT, MARK_ROOM
 from insole_core.solids.shop import Block
 from insole_core.solids.silhouette import block_outline, mark_text, silhouette
-from insole_core.workflows.mill import MillingChoice, program_paths, write_milling
+from insole_core.workflows.mill import (
+    MillingChoice,
+    program_paths,
+    require_no_other_program,
+    write_milling,
+)
 from insole_core.zip_archive import ZipArchive
 
 if TYPE_CHECKING:
@@ -215,9 +220,11 @@ def pieces_of_files(files: Sequence[Path], number: str) -> Iterator[OrderedPiece
             found = True
             yield _piece_of_file(path, _terms_beside(path, files), number)
     if not found:
-        raise InputError(
-            "Order {number} was written without solids; export it again.", number=number
-        )
+        raise InputError(_without_solids(number))
+
+
+def _without_solids(number: str) -> Message:
+    return Message("Order {number} was written without solids; export it again.", number=number)
 
 
 def _piece_of_file(path: Path, terms: SheetTerms, number: str) -> OrderedPiece:
@@ -305,6 +312,8 @@ def nest_pieces(
     Cancelled
     """
     _check_sizes(block, gap_mm, margin_mm)
+    if missing and not pieces:
+        raise InputError(joined(map(_without_solids, missing), " "))
     _check_number(pieces)
     _check_heights(pieces, block)
     notes = [*_missing_notes(missing), *_quantity_notes(pieces), *_material_notes(pieces)]
@@ -506,9 +515,30 @@ def places_of_nest(out: Path, milling: MillingChoice | None) -> dict[str, Path]:
             endings["pin_holes"] = PIN_HOLES.ending
     places = {what: out.with_name(out.stem + ending) for what, ending in endings.items()}
     if milling is not None:
-        files = program_paths(out.with_name(out.stem + PROGRAM.ending), milling)
+        files = program_paths(_program(out), milling)
         places |= {f"{_PROGRAM}{number}": file for number, file in enumerate(files, 1)}
     return places
+
+
+def _program(out: Path) -> Path:
+    return out.with_name(out.stem + PROGRAM.ending)
+
+
+def require_no_other_nest(out: Path, title: str, milling: MillingChoice | None) -> None:
+    """Check that no files of an earlier program of the same nest lie beside the new ones.
+
+    Parameters
+    ----------
+    out, title, milling
+        As for `write_nest`.
+
+    Raises
+    ------
+    OutputError
+        Naming those files.
+    """
+    if milling is not None:
+        require_no_other_program(_program(out), milling, title)
 
 
 def write_nest(
@@ -540,11 +570,12 @@ def write_nest(
     DesignError
         When block, machine or a cutter is too small.
     OutputError
-        When a place cannot be written.
+        When a place cannot be written, or files of an earlier program lie beside it.
     Cancelled
     """
     from insole_core.export.paper import write_nest_sheet
 
+    require_no_other_nest(out, title, milling)
     places = places_of_nest(out, milling)
     plan = None if milling is None else _plan(nest, milling, progress.part(0.0, 0.6))
     notes = nest.notes if plan is None else (*nest.notes, *plan.notes)

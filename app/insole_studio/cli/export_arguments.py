@@ -146,7 +146,11 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
 
 
 def _check_milling(arguments: argparse.Namespace) -> None:
-    from insole_core.workflows.mill import check_program_suffix
+    from insole_core.workflows.mill import (
+        MillingChoice,
+        check_program_suffix,
+        require_no_other_program,
+    )
 
     if arguments.gcode is None:
         raise UsageError("--setup-sheet and --pin-holes belong to a program; name it with --gcode.")
@@ -157,7 +161,8 @@ def _check_milling(arguments: argparse.Namespace) -> None:
             raise UsageError("--pin-holes are for a block that is turned; add --both-sides.")
     if arguments.block is None:
         raise UsageError("--gcode mills the insole from a block; name it with --block.")
-    _machine(arguments)
+    how = MillingChoice(_machine(arguments), arguments.both_sides)
+    require_no_other_program(arguments.gcode, how, arguments.pseudonym)
 
 
 def _machine(arguments: argparse.Namespace) -> Machine:

@@ -73,6 +73,8 @@ def _run(arguments: argparse.Namespace, progress: Progress) -> None:
     milling = _milling(arguments)
     block = _block(arguments)
     check_overwriting(nest_orders.places_of_nest(arguments.out, milling).values(), arguments.orders)
+    title = arguments.title or arguments.out.stem
+    nest_orders.require_no_other_nest(arguments.out, title, milling)
     pieces = nest_orders.gathered(_read(arguments.orders, progress.part(0.0, 0.2)))
     nest = nest_orders.nest_pieces(
         pieces, block,
@@ -81,7 +83,7 @@ def _run(arguments: argparse.Namespace, progress: Progress) -> None:
     )  # fmt: skip
     written = nest_orders.write_nest(
         nest, arguments.out,
-        title=arguments.title or arguments.out.stem, milling=milling,
+        title=title, milling=milling,
         translate=wording_of(arguments).translate, progress=progress.part(0.6, 1.0),
     )  # fmt: skip
     for note in written.notes:

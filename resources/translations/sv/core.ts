@@ -1076,6 +1076,10 @@
             <translation>Filer</translation>
         </message>
         <message>
+            <source>Files of an earlier program ({files}) would lie beside {path}, and a shop could run both; remove them, or give the program another name.</source>
+            <translation>Filer från ett tidigare program ({files}) skulle ligga bredvid {path}, och verkstaden kunde köra båda; ta bort dem eller ge programmet ett annat namn.</translation>
+        </message>
+        <message>
             <source>Fill these parts of the picture with the wall: {regions}.</source>
             <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
         </message>
@@ -8582,10 +8586,6 @@
         <message>
             <source>{fault} ({reason})</source>
             <translation>{fault} ({reason})</translation>
-        </message>
-        <message>
-            <source>{files} of an earlier program would lie beside {path}, and a shop could run both; remove the earlier one, or give the program another name.</source>
-            <translation>{files} från ett tidigare program skulle ligga bredvid {path}, och verkstaden kunde köra båda; ta bort det tidigare eller ge programmet ett annat namn.</translation>
         </message>
         <message>
             <source>{file} cannot be added under this name, which the order has already or which not every system takes; give it another name.</source>

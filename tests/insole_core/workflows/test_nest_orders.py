@@ -15,7 +15,7 @@ from read_pdf import bytes_of_pdf, text_of_pdf
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
-from insole_core.errors import DesignError, InputError
+from insole_core.errors import DesignError, InputError, OutputError
 from insole_core.export.paper import paragraph, write_pages
 from insole_core.export.sheet_terms import as_keyword, sheet_terms
 from insole_core.export.shop_order import (
@@ -291,6 +291,12 @@ def test_an_order_without_solids_is_left_out_and_told(tmp_path: Path) -> None:
     piece = OrderedPiece("26-1", Side.LEFT, box())
     (note,) = nest_pieces([piece], SHEET, missing=["26-2"]).notes
     assert "Order 26-2 has no solids and does not lie here" in note
+    with pytest.raises(InputError) as raised:
+        nest_pieces([], SHEET, missing=["26-2", "26-3"])
+    assert str(raised.value) == (
+        "Order 26-2 was written without solids; export it again. "
+        "Order 26-3 was written without solids; export it again."
+    )
 
 
 def test_an_order_that_comes_again_is_refused(orders: list[Path]) -> None:
@@ -328,5 +334,10 @@ def test_a_router_gets_the_same_programs_for_all_pieces(tmp_path: Path) -> None:
     programs = sorted(tmp_path.glob("*.nc"))
     assert [path.name for path in programs] == ["n-1.nc", "n-2.nc", "n-3.nc"]
     assert all(path.read_text().startswith("(n)") for path in programs)
+    earlier = tmp_path / "n-4.nc"
+    earlier.write_text("(n)\n")
+    with pytest.raises(OutputError, match=r"program \(n-4.nc\) would lie beside n-1.nc"):
+        write_nest(nest, tmp_path / "n.stl", title="n", milling=MillingChoice(machine))
+    assert written.paths[0].exists()
     sheet = text_of_pdf(tmp_path / "n-setup-sheet.pdf")
     assert all(f"{number}: 26-" in sheet for number in (1, 2, 3, 4))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -21,7 +22,12 @@ from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportPaths
 from insole_core.solids.shop import Block
 from insole_core.solids.simplification import from_manifold
-from insole_core.workflows.mill import MillingChoice, program_paths, write_milling
+from insole_core.workflows.mill import (
+    MillingChoice,
+    program_paths,
+    require_no_other_program,
+    write_milling,
+)
 
 BLOCK = Block("EVA single", (120.0, 200.0, 24.0))
 """Its longer side is named last."""
@@ -134,9 +140,48 @@ def test_without_tabs_none_are_cut(tmp_path: Path) -> None:
     assert "the last cut has set them free" in sheet
 
 
-def test_files_of_an_earlier_program_are_refused_and_one_without_moves_is_said_to_be(
+@pytest.mark.parametrize(
+    ("there", "earlier"),
+    [
+        ({"P.nc": "P-7"}, "P.nc"),
+        ({"P-5.nc": "P-7", "P-6.nc": "P-7"}, "P-5.nc, P-6.nc"),
+        ({"P-1.nc": "26-3", "P-5.nc": "26-3", "P-6.nc": "26-4"}, "P-5.nc"),
+        ({"P-5.nc": "P-71", "P-6.nc": "P-7-2", "P.nc": "6"}, ""),
+        ({"P-1.nc": "P-7", "P-2.nc": "P-7", "P-left.nc": "P-7", "P-pins.nc": "P-7"}, ""),
+    ],
+)
+def test_files_of_an_earlier_program_of_the_same_order_are_refused(
+    there: dict[str, str], earlier: str, tmp_path: Path
+) -> None:
+    """Those of another order are no business of this one, even if named alike."""
+    how = MillingChoice(read_machine(resource_path("milling/grbl.json")))
+    for name, job in there.items():
+        text = f"({job})\n(File 1 of 7: P-7)\nG17 G21 G40 G49 G80 G90 G94 G54\n"
+        (tmp_path / name).write_text(text)
+    told: AbstractContextManager[object] = nullcontext()
+    if earlier:
+        told = pytest.raises(OutputError, match=rf"^Files of an earlier program \({earlier}\)")
+    with told:
+        require_no_other_program(tmp_path / "P.nc", how, "P-7")
+
+
+def test_the_underside_of_an_earlier_program_does_not_lie_beside_a_single_file(
     tmp_path: Path,
 ) -> None:
+    machine = read_machine(resource_path("milling/grbl.json"))
+    cutter = machine.roughing.cutter
+    how = MillingChoice(replace(
+        machine,
+        finishing=replace(machine.finishing, cutter=cutter),
+        contour=replace(machine.contour, cutter=cutter),
+    ))  # fmt: skip
+    assert program_paths(tmp_path / "P.nc", how) == (tmp_path / "P-1.nc",)
+    (tmp_path / "P-2.nc").write_text("(P-7)\n")
+    with pytest.raises(OutputError, match=r"program \(P-2.nc\) would lie beside P-1.nc"):
+        require_no_other_program(tmp_path / "P.nc", how, "P-7")
+
+
+def test_a_file_without_moves_is_said_to_be_one(tmp_path: Path) -> None:
     machine = read_machine(resource_path("milling/grbl.json"))
     box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((15, 15, 0)))
     plan = plan_milling([box], (50.0, 50.0, 8.0), machine, feet=[FootInBlock(Side.LEFT)])
@@ -144,13 +189,6 @@ def test_files_of_an_earlier_program_are_refused_and_one_without_moves_is_said_t
     programs = program_paths(tmp_path / "P.nc", MillingChoice(machine))
     places = ExportPaths(tmp_path / "P.stl", programs=programs, setup_sheet=tmp_path / "P.pdf")
     block = Block("EVA", (50.0, 50.0, 8.0))
-    (tmp_path / "P-left.nc").touch()
-    for earlier in ("P.nc", "P-5.nc"):
-        (tmp_path / earlier).touch()
-        with pytest.raises(OutputError, match=rf"^{earlier} of an earlier program would lie"):
-            write_milling(plan, block, places, places, identification={"pseudonym": "P-7"})
-        assert not any(path.exists() for path in programs)
-        (tmp_path / earlier).unlink()
     write_milling(plan, block, places, places, identification={"pseudonym": "P-7"})
     sheet = " ".join(text_of_pdf(tmp_path / "P.pdf").split())
     assert "P-3.nc nothing has to be milled with this cutter: do not run it" in sheet

@@ -88,3 +88,16 @@ def test_a_wrong_call_says_so_before_the_foot_is_read(
     assert run(["design", "nothing.ply", "--out", "left.stl", *options]) != 0
     assert sentence in capsys.readouterr().err.splitlines()[-1]
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_earlier_program_is_told_before_the_foot_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("left-5.nc").write_text("(P-7)\n")
+    options = ["--gcode", "left.nc", "--block", "EVA single", "--pseudonym", "P-7"]
+    options += ["--machine", "grbl"]
+    assert run(["design", "nothing.ply", "--out", "left.stl", *options]) != 0
+    told = capsys.readouterr().err.splitlines()[-1]
+    assert "earlier program (left-5.nc) would lie beside left-1.nc" in told
+    assert list(tmp_path.iterdir()) == [tmp_path / "left-5.nc"]

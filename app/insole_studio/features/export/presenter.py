@@ -40,6 +40,7 @@ from insole_core.workflows.make_order import (
     letters_told,
     make_parts,
     programs_of,
+    require_no_other_programs,
     word_of,
     write_order,
 )
@@ -398,6 +399,11 @@ class ExportPresenter:
             return
         path = self._asker.path(order.pseudonym, word_of(self.parts, order), order.suffix)
         if path is None:
+            return
+        try:
+            require_no_other_programs(self.parts, order, path)
+        except InsoleError as error:
+            self._asker.tell(error)
             return
         files = files_of(self.parts, order, path, self._override() is not None)
         there = [file for file in files if file.exists()]

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import Patient
 from insole_core.errors import InsoleError
@@ -42,9 +42,10 @@ class NestActions(QObject):
         self._tell = services.messages.show_error
         self.dialog: NestDialog | None = None
         """The one that is open."""
+        self._copying: Path | None = None
         self._copies: set[Path] = set()
-        # Queued: when the copies are there, the job that reads them has begun by then.
-        services.jobs.ended.connect(self._remove_copies, Qt.ConnectionType.QueuedConnection)
+        """Those that are nested, and those that no nest has taken."""
+        services.jobs.ended.connect(self._remove_copies)
 
     def ask(self, orders: Sequence[OrderSummary]) -> None:
         """Ask which of the orders are nested, and how."""
@@ -73,7 +74,7 @@ class NestActions(QObject):
     def _ask_place(self, choice: NestChoice, orders: Sequence[OrderSummary]) -> None:
         """Ask where the nest is written, then read the files of its orders."""
         from insole_core.workflows.nameless import require_nameless
-        from insole_core.workflows.nest_orders import places_of_nest
+        from insole_core.workflows.nest_orders import places_of_nest, require_no_other_nest
 
         formats = sorted(SOLID_FORMATS, key=lambda form: form.ending != _FORMAT)
         kinds = ";;".join(f"{form.name} ({form.patterns})" for form in formats)
@@ -85,6 +86,7 @@ class NestActions(QObject):
         try:
             for name in names:
                 require_nameless(Patient(name), {"file name": out.stem})
+            require_no_other_nest(out, out.stem, choice.milling)
         except InsoleError as error:
             self._tell(error)
             return
@@ -92,7 +94,9 @@ class NestActions(QObject):
         if there and not questions.may_replace(there):
             return
         folder = self._services.paths.papers_folder / uuid.uuid4().hex
-        self._copies.add(folder)
+        if self._copying is not None:  # the new question takes the place of the earlier one
+            self._copies.add(self._copying)
+        self._copying = folder
         numbers = {order.id: order.number for order in orders}
 
         def copy(records: Records) -> dict[str, tuple[Path, ...]]:
@@ -104,9 +108,17 @@ class NestActions(QObject):
                 files[numbers[order_id]] = records.orders.copy_files(order_id, place)
             return files
 
-        self._services.clinic.ask(
-            NESTING, copy, lambda files: self._nest(choice, files, out), self._tell
-        )
+        def nest(files: dict[str, tuple[Path, ...]]) -> None:
+            self._copying = None
+            self._nest(choice, files, out)
+            self._copies.add(folder)  # only now has a nest ended that this one replaces
+
+        def missed(error: Exception) -> None:
+            self._copying = None
+            shutil.rmtree(folder, ignore_errors=True)
+            self._tell(error)
+
+        self._services.clinic.ask(NESTING, copy, nest, missed)
 
     def _nest(self, choice: NestChoice, files: dict[str, tuple[Path, ...]], out: Path) -> None:
         from insole_core.workflows.nest_orders import (
@@ -140,10 +152,8 @@ class NestActions(QObject):
         self._services.run(NESTING, task, lambda done: self._say(*done, out))
 
     def _remove_copies(self, channel: str) -> None:
-        """Remove the copies for nests that have ended, also where they were cancelled."""
-        if channel != NESTING or self._services.jobs.is_running(NESTING):
-            return
-        while self._copies:
+        """Remove the copies of the nest that has ended, also where it was cancelled."""
+        while channel == NESTING and self._copies:
             shutil.rmtree(self._copies.pop(), ignore_errors=True)
 
     def _say(self, count: int, written: WrittenNest, out: Path) -> None:

@@ -46,6 +46,7 @@ class Asker:
     def __init__(self) -> None:
         self.answer: Path | None = None
         self.told: list[Exception] = []
+        self.asked: list[Path] = []
 
     def path(self, _pseudonym: str, _word: str, _suffix: str) -> Path | None:
         return self.answer
@@ -77,7 +78,8 @@ class Asker:
     def tell(self, error: Exception) -> None:
         self.told.append(error)
 
-    def may_replace(self, _paths: Sequence[Path]) -> bool:
+    def may_replace(self, paths: Sequence[Path]) -> bool:
+        self.asked += paths
         return True
 
 
@@ -234,6 +236,11 @@ def test_a_router_gets_its_program_beside_the_solid(
     assert [path.name for path in told[0].paths] == ["anna-left.stl", *programs]
     assert all("\nG1 X" in (tmp_path / name).read_text() for name in programs)
     assert stage.view.summary.text() == f"Exported anna-left.stl, {', '.join(programs)}"
+    (tmp_path / "anna-left-4.nc").write_text((tmp_path / programs[0]).read_text())
+    asker.asked.clear()
+    stage.view.export.click()
+    assert "earlier program (anna-left-4.nc)" in str(asker.told[-1])
+    assert asker.asked == []
     asker.answer = tmp_path / "order.zip"
     stage.presenter.edit_choice(replace(stage.view.form.choice(), package="zip"))
     stage.view.export.click()

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
+from threading import Event
+from typing import Any
 
 import manifold3d
 import pytest
@@ -15,11 +17,12 @@ from canned_questions import CannedQuestions
 from pointing import click_heading
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from sqlalchemy import insert
 
 from insole_core.cases.order_note import OrderNote
-from insole_core.errors import Unreachable
+from insole_core.errors import OutputError, Unreachable
 from insole_core.export.shop_order import OrderTerms
 from insole_core.formats.solid_content import SolidPart, write_solids
 from insole_core.geometry.side import Side
@@ -414,6 +417,7 @@ def box_file(path: Path, length_mm: float) -> Path:
 def test_orders_of_the_page_are_nested_on_a_sheet(
     page: OrdersPage, clinic: Application, records: Records, visit: Visit, order: Order,
     questions: CannedQuestions, tmp_path: Path, rest: Callable[[], None],
+    monkeypatch: pytest.MonkeyPatch, qtbot: QtBot,
 ) -> None:  # fmt: skip
     """Those that are ticked, in the size that is typed; nobody is named in the files."""
     version = records.prescriptions.versions(visit.id, Side.LEFT)[0]
@@ -460,6 +464,63 @@ def test_orders_of_the_page_are_nested_on_a_sheet(
     rest()
     assert not [*papers.iterdir()]
     assert not [*tmp_path.glob("never*")]
+    copied, go_on, copy_files = Event(), Event(), Orders.copy_files
+
+    def note(*arguments: Any) -> tuple[Path, ...]:
+        files = copy_files(*arguments)
+        copied.set()
+        assert go_on.wait(60)
+        return files
+
+    def start(name: str) -> None:
+        QTest.mouseClick(page.nest_button, LEFT)
+        dialog = clinic.features.records.nest_actions.dialog
+        assert dialog is not None
+        for row, text in enumerate(texts):
+            ticked = Qt.CheckState.Checked if "26-A" in text else Qt.CheckState.Unchecked
+            dialog.orders.item(row).setCheckState(ticked)
+        dialog.block.show_value("")
+        dialog.block.edited.emit("")
+        for field, side in zip(dialog.sides, (600, 300, 20), strict=True):
+            field.setValue(side)
+        questions.path = tmp_path / name
+        QTest.mouseClick(dialog.nest, LEFT)
+
+    start("first.3mf")
+    qtbot.waitUntil(lambda: clinic.services.jobs.is_running(NESTING))
+    monkeypatch.setattr(Orders, "copy_files", note)
+    start("second.3mf")
+    assert copied.wait(60)
+    clinic.services.jobs.cancel(NESTING)  # the first, while the second is copied
+    QApplication.processEvents()
+    go_on.set()
+    rest()
+    assert {path.name for path in tmp_path.glob("second*")} == {
+        "second.3mf", "second.dxf", "second-pieces.pdf"
+    }  # fmt: skip
+    assert not [*papers.iterdir()]
+
+    def fail(*arguments: Any) -> tuple[Path, ...]:
+        copy_files(*arguments)
+        raise OutputError("The disk is full; make room.")
+
+    monkeypatch.setattr(Orders, "copy_files", fail)
+    start("third.3mf")
+    rest()
+    assert "The disk is full" in clinic.services.messages.dialogs[-1].text()
+    assert not [*papers.iterdir()]
+    monkeypatch.undo()
+    QTest.mouseClick(page.nest_button, LEFT)
+    dialog = clinic.features.records.nest_actions.dialog
+    assert dialog is not None
+    dialog.machine.setCurrentText("LinuxCNC")
+    (tmp_path / "friday-2.nc").write_text("(friday)\n")
+    (tmp_path / "friday.3mf").touch()
+    questions.replace = False
+    questions.path = tmp_path / "friday.3mf"
+    QTest.mouseClick(dialog.nest, LEFT)
+    told = clinic.services.messages.dialogs[-1].text()
+    assert "earlier program (friday-2.nc) would lie beside friday.nc" in told
     QTest.mouseClick(page.nest_button, LEFT)
     dialog = clinic.features.records.nest_actions.dialog
     assert dialog is not None
