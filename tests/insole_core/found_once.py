@@ -177,7 +177,7 @@ def _add(digest: Any, value: Any) -> None:
 def _parts(value: Any) -> Iterable[Any]:
     if isinstance(value, PreparedView):  # all else follows from it
         found = (part is None for part in (value.within, value.outline, value.rim))
-        return value.measured, *found
+        return value.measured, value.infrared, *found
     if isinstance(value, MeasuredView):  # its files may have any place
         return value.view.name, value.view.sensor, value.raw, value.color, value.precise
     if is_dataclass(value):
