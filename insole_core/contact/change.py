@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -13,12 +13,12 @@ from insole_core.contact.load_case import LOAD_CASES, LoadCase, Posture
 from insole_core.contact.pressing import Pressed
 from insole_core.contact.stance import Ground, Sole, stand
 from insole_core.contact.tissue import Tissue
-from insole_core.foot.landmarks import find_landmarks
-from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.errors import InputError
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.insole.fields import Place, Range
 from insole_core.messages import Message
 from insole_core.pressure.laid_map import LOADED_KPA
-from insole_core.pressure.regions import REGIONS, regions_of
+from insole_core.pressure.regions import REGIONS
 from insole_core.progress import SILENT, Progress
 
 SENTENCE = Message(
@@ -38,8 +38,6 @@ GROUPS = {
 WEIGHT_KG = Range(5, 250, "kg")
 MOST_SHOWN = 100.0
 """Per cent; a map shows no greater changes."""
-_BEHIND_HEADS = 0.04
-"""Share of the length: pads press behind the heads, and relieve the heads themselves."""
 _SENSOR_MM = 10.0
 """Side of a usual sensor: peaks are those of the mean over so much, as a measurement shows them."""
 _MODEL_SHARE, _MODEL_POINTS = 0.2, 2.0
@@ -51,6 +49,10 @@ _WIDEST_POINTS = 45.0
 _PUBLISHED = (-67.0, 110.0)
 """The greatest changes of published series, and 10 points; the model overrates what is beyond:
 reliefs up to 57 % (Chen, Ju and Tang, Clin. Biomech. 18, 2003), and twice the pressure on a pad."""
+_NONE, _NOT_LOADED = Message(""), Message("Nothing pressed there before.")
+_TOO_UNSURE = Message("What is not known of the foot changes it too much.")
+_APART = tuple(name for name in GROUPS if name != "metatarsal_heads")
+"""Regions of which every place of a sole is in one at most."""
 _AT_HEADS = frozenset({"metatarsal_heads", *HEADS})
 _UNEVEN_MM = 2.0
 """Where the insole gets another form under the heads, and always at push-off, the model fails on
@@ -163,13 +165,21 @@ class Change:
 
     Parameters
     ----------
-    sole
+    loading
+    grounds
+        The old and the new one.
     old, new
     """
 
-    sole: Sole
+    loading: Loading
+    grounds: tuple[Ground, Ground]
     old: Pressed
     new: Pressed
+
+    @property
+    def sole(self) -> Sole:
+        """Of the foot."""
+        return self.loading.sole
 
     @cached_property
     def old_kpa(self) -> FloatArray:
@@ -189,10 +199,23 @@ class Change:
             return np.where(told, 100 * (self.new_kpa / self.old_kpa - 1), np.nan)
 
     @cached_property
-    def shown_percent(self) -> FloatArray:
-        """(ny, nx) change to be painted: that of what is newly pressed is as large as can be."""
+    def untold(self) -> tuple[str, ...]:
+        """Names of the regions of which nothing can be told, as far as this change says it."""
+        return tuple(name for name in GROUPS if self.reason(name))
+
+    def shown_percent(self, untold: Collection[str]) -> FloatArray:
+        """(ny, nx) change to be painted: that of what is newly pressed is as large as can be.
+
+        Parameters
+        ----------
+        untold
+            Names of regions of which nothing is told, and which have no colour: NaN.
+        """
         newly = self.sole.known & np.isnan(self.percent) & (self.new_kpa >= LOADED_KPA)
-        return np.where(newly, MOST_SHOWN, np.clip(self.percent, -MOST_SHOWN, MOST_SHOWN))
+        shown = np.where(newly, MOST_SHOWN, np.clip(self.percent, -MOST_SHOWN, MOST_SHOWN))
+        for name in set(untold).intersection(_APART):
+            shown[inside(self.sole, name)] = np.nan
+        return shown
 
     @property
     def areas_mm2(self) -> tuple[float, float]:
@@ -221,29 +244,53 @@ class Change:
         percent = float(replace(self.sole.field, heights_mm=self.percent).height_at(np.array(xy)))
         return percent if np.isfinite(percent) else None
 
-    def densified(self, name: str, ground: Ground) -> bool:
-        """Return whether the insole is so compressed in a region that its foam gets stiffer."""
-        here = inside(self.sole, name) & (ground.thickness_mm > 0) & (self.new.mpa > 0)
-        strain = self.new.sunk_mm[here] / ground.thickness_mm[here]
-        return bool((strain > _DENSE).any())
+    def reason(self, name: str) -> Message:
+        """Return why nothing can be told of one of `GROUPS`, or an empty text."""
+        posture = self.loading.posture
+        if name == "toes" and not self.sole.has_toes:
+            return Message("The scan does not show the toes.")
+        if name == "toes" and posture is Posture.PUSH_OFF:
+            return Message("Toes bend at push-off, and the model does not bend them.")
+        if name in _AT_HEADS and (
+            posture is Posture.PUSH_OFF
+            or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
+        ):
+            return Message("Published series on pads under the heads are not reproduced.")
+        if self._is_densified(name):
+            return Message("The insole is too thin there: it is compressed by more than half.")
+        return _NOT_LOADED if self.peaks_kpa(name)[0] < LOADED_KPA else _NONE
+
+    def reason_at(self, xy: Place) -> Message:
+        """Return why nothing can be told of the region that holds a place, or an empty text."""
+        field = self.sole.field
+        column, row = (
+            round((at - first) / field.step_mm)
+            for at, first in zip(xy, (field.x0_mm, field.y0_mm), strict=True)
+        )
+        rows, columns = self.sole.known.shape
+        if not (0 <= row < rows and 0 <= column < columns):
+            return _NOT_LOADED
+        number = self.sole.regions[row, column]
+        held = (name for name in _APART if number in _numbers(name))
+        return next((self.reason(name) for name in held), _NOT_LOADED)
+
+    def _is_densified(self, name: str) -> bool:
+        """Return whether an insole is so compressed in a region that its foam gets stiffer."""
+        here = inside(self.sole, name)
+        return any(
+            bool((ground.strain(pressed.sunk_mm)[here & (pressed.mpa > 0)] > _DENSE).any())
+            for ground, pressed in zip(self.grounds, (self.old, self.new), strict=True)
+        )
 
 
 def inside(sole: Sole, name: str) -> BoolArray:
     """(ny, nx) which nodes of a sole belong to one of `GROUPS`."""
-    numbers = [REGIONS.index(region) for region in GROUPS[name]]
-    return np.isin(_numbers(sole), numbers) & sole.known
+    return np.isin(sole.regions, _numbers(name)) & sole.known
 
 
-def _numbers(sole: Sole) -> IntArray:
-    """(ny, nx) numbers of the regions; cached with the foot."""
-    foot, grid = sole.foot, sole.field.grid
-
-    def find() -> IntArray:
-        marks = find_landmarks(foot)
-        numbers = regions_of(sole.field.nodes[:, :2], marks, _BEHIND_HEADS)
-        return numbers.reshape(sole.known.shape)
-
-    return foot.derived.get("sole regions", (grid,), find)
+def _numbers(name: str) -> list[int]:
+    """Return the numbers of the regions in one of `GROUPS`."""
+    return [REGIONS.index(region) for region in GROUPS[name]]
 
 
 def as_sensed(sole: Sole, mpa: FloatArray) -> FloatArray:
@@ -257,9 +304,6 @@ def as_sensed(sole: Sole, mpa: FloatArray) -> FloatArray:
     return np.asarray(1000 * by_area / steps**2)
 
 
-_NONE = Message("")
-
-
 @dataclass(frozen=True)
 class Told:
     """The change of a region or at a point, with the limits it has at 95 %.
@@ -269,7 +313,7 @@ class Told:
     percent, limits
         Of the peak pressure; None where there is none.
     load_percent
-        Of the whole load in a region.
+        Of the whole load in a region; it has no limits.
     reason
         Why it cannot be told, whatever was computed; empty where it can.
     """
@@ -293,12 +337,20 @@ class PressureChange:
         By the names in `GROUPS`.
     points
         In the order of those asked for.
+    assumed
+        The usual assumptions.
     """
 
     loading: Loading
     change: Change
     regions: dict[str, Told]
     points: tuple[Told, ...]
+    assumed: Assumptions
+
+    @property
+    def load_n(self) -> float:
+        """That was put on the foot."""
+        return self.loading.load_n * self.assumed.heavier
 
     @property
     def cannot_tell(self) -> tuple[str, ...]:
@@ -322,7 +374,8 @@ def changed(
     """
     start = (None, None) if before is None else (before.old.mpa, before.new.mpa)
     return Change(
-        loading.sole,
+        loading,
+        (old, new),
         loading.pressed(old, assumed, start[0]),
         loading.pressed(new, assumed, start[1]),
     )
@@ -365,37 +418,28 @@ def pressure_change(
     """
     assumed = assumed or Assumptions()
     usual = known or changed(loading, old, new, assumed)
-    varied: list[Change] = []
+    varied: list[Change | None] = []
     for other in assumed.varied(material_is_known=material_is_known):
         progress.step(len(varied) / _VARIED, "Loading the foot")
-        varied.append(changed(loading, old, new, other, usual))
+        varied.append(_varied(usual, other))
     regions = {}
     for name in GROUPS:
         here = usual.of(name)
-        others = [one.of(name).peak_percent for one in varied]
-        reason = _reason(loading, usual, (old, new), name)
-        regions[name] = _told(here.peak_percent, others, reason, here.load_percent)
-    at = tuple(_told(usual.at(xy), [one.at(xy) for one in varied]) for xy in points)
-    return PressureChange(loading, usual, regions, at)
+        others = [None if one is None else one.of(name).peak_percent for one in varied]
+        regions[name] = _told(here.peak_percent, others, usual.reason(name), here.load_percent)
+    at = []
+    for xy in points:
+        values = [None if one is None else one.at(xy) for one in varied]
+        at.append(_told(usual.at(xy), values, usual.reason_at(xy)))
+    return PressureChange(loading, usual, regions, tuple(at), assumed)
 
 
-_NOT_LOADED = Message("Nothing pressed there before.")
-
-
-def _reason(loading: Loading, usual: Change, grounds: tuple[Ground, Ground], name: str) -> Message:
-    """Return why nothing can be told of a region, whatever is computed, or an empty text."""
-    if name == "toes" and not loading.sole.has_toes:
-        return Message("The scan does not show the toes.")
-    if name == "toes" and loading.posture is Posture.PUSH_OFF:
-        return Message("Toes bend at push-off, and the model does not bend them.")
-    if name in _AT_HEADS and (
-        loading.posture is Posture.PUSH_OFF
-        or _unevenly_raised_mm(loading.sole, grounds, name) > _UNEVEN_MM
-    ):
-        return Message("Published series on pads under the heads are not reproduced.")
-    if usual.densified(name, grounds[1]):
-        return Message("The insole is too thin there: it is compressed by more than half.")
-    return _NONE
+def _varied(usual: Change, assumed: Assumptions) -> Change | None:
+    """Return the change with other assumptions; None where no pressure has that centre."""
+    try:
+        return changed(usual.loading, *usual.grounds, assumed, usual)
+    except InputError:
+        return None
 
 
 def _unevenly_raised_mm(sole: Sole, grounds: tuple[Ground, Ground], name: str) -> float:
@@ -412,18 +456,20 @@ def _unevenly_raised_mm(sole: Sole, grounds: tuple[Ground, Ground], name: str) -
 def _told(
     percent: float | None,
     others: Sequence[float | None],
-    reason: Message = _NONE,
+    reason: Message,
     load_percent: float | None = None,
 ) -> Told:
     if percent is None:
         return Told(None, None, None, reason or _NOT_LOADED)
-    off = np.array([0.0 if other is None else other - percent for other in others])
-    if max(abs(percent), np.abs(off).max()) < _SAME:
+    off = np.array([other for other in others if other is not None]) - percent
+    if max(abs(percent), np.abs(off).max(initial=0.0)) < _SAME:
         return Told(0.0, (0.0, 0.0), load_percent, reason)
+    if len(off) < len(others):
+        return Told(percent, None, load_percent, reason or _TOO_UNSURE)
     model = _MODEL_POINTS + _MODEL_SHARE * abs(percent)
     half = _NORMAL_95 * float(np.sqrt(model**2 + (off * off).sum()))
     if not reason and half > max(_WIDEST_POINTS, abs(percent)):
-        reason = Message("What is not known of the foot changes it too much.")
+        reason = _TOO_UNSURE
     if not reason and not _PUBLISHED[0] <= percent <= _PUBLISHED[1]:
         reason = Message("No published series has measured so much; the model overrates it.")
     return Told(percent, (max(percent - half, -100.0), percent + half), load_percent, reason)

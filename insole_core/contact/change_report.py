@@ -29,11 +29,11 @@ def change_report(
     """
     old_mm2, new_mm2 = told.change.areas_mm2
     return {
-        "total_load_N": round(float(told.loading.load_n), 3),
+        "total_load_N": round(float(told.load_n), 3),
         "posture": str(told.loading.posture),
         "regions": {name: _region(one) for name, one in told.regions.items()},
         "points": [
-            {"x_mm": float(x), "y_mm": float(y), **_told(one)}
+            {"x_mm": float(x), "y_mm": float(y), **_told(one), "reason": str(one.reason)}
             for (x, y), one in zip(points, told.points, strict=True)
         ],
         "contact_area_mm2": {"old": round(old_mm2, 1), "new": round(new_mm2, 1)},

@@ -5,14 +5,24 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from insole_core.contact.elastic_layers import Layer
-from insole_core.contact.hardness import body_of
+from insole_core.contact.hardness import USUAL_SHORE_A, body_of
 from insole_core.contact.stance import Ground, Sole, insole_on_floor, shoe_floor
 from insole_core.insole.build import BaseStep, build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import contact_base
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
+
+_NO_MATERIAL = (
+    "A design names no material; foam of Shore A {hardness:g} is assumed, and the limits allow for "
+    "half and twice its stiffness."
+)
+_LAYERS = Message(
+    "A design has separate layers, whose materials are not known; the insole is taken for one "
+    "piece, and the limits allow for half and twice its stiffness."
+)
 
 
 @dataclass(frozen=True)
@@ -33,9 +43,15 @@ class Shoe:
     layers: tuple[Layer, ...] = ()
     body: Layer | None = None
 
-    def knows_material(self, design: InsoleDesign) -> bool:
-        """Return whether it is known what an insole is made of."""
-        return self.body is not None or bool(material_name(design))
+    def assumed(self, *designs: InsoleDesign | None) -> tuple[Message, ...]:
+        """Return what is assumed of the materials of insoles; none if all are known."""
+        given = [design for design in designs if design is not None]
+        assumed = []
+        if self.body is None and not all(material_name(design) for design in given):
+            assumed.append(Message(_NO_MATERIAL, hardness=USUAL_SHORE_A))
+        if any(design.layers.total_mm > 0 for design in given):
+            assumed.append(_LAYERS)
+        return tuple(assumed)
 
     def floor(self, sole: Sole, design: InsoleDesign) -> Ground:
         """Return the shoe without an insole: flat, or with the heel of a design's shoe."""

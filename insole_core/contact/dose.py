@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from insole_core.contact.change import Assumptions, Change, Loading
+from insole_core.contact.change import Assumptions, Change, Loading, Told
 from insole_core.contact.stance import Ground
 from insole_core.insole.elements import Pelott
 from insole_core.insole.fields import ranges_of
@@ -45,16 +45,35 @@ class DoseCurve:
         return None
 
 
+@dataclass(frozen=True)
+class Dose:
+    """The dose that has a change, and what is told of the region with it.
+
+    Parameters
+    ----------
+    height_mm
+    told
+        The limits are those of this height, or the reason why there are none is.
+    """
+
+    height_mm: float
+    told: Told
+
+
 def dosed(design: InsoleDesign, pad: Pelott) -> list[tuple[float, InsoleDesign]]:
     """Return doses of a pad of a design, and the design with each; the first is without it."""
     heights = ranges_of(Pelott)["height_mm"]
     most = max(_USUAL_MM, _BEYOND * abs(pad.height_mm))
     end = min(most, heights.greatest) if pad.height_mm >= 0 else max(-most, heights.least)
     doses = [float(dose) for dose in np.linspace(0.0, end, _DOSES)[1:]]
-    return [
-        (0.0, design.with_removed(pad.id)),
-        *((dose, design.with_changed(replace(pad, height_mm=dose))) for dose in doses),
-    ]
+    return [(dose, with_dose(design, pad, dose)) for dose in (0.0, *doses)]
+
+
+def with_dose(design: InsoleDesign, pad: Pelott, height_mm: float) -> InsoleDesign:
+    """Return a design with a height of one of its pads; without the pad if that is 0."""
+    if height_mm == 0:
+        return design.with_removed(pad.id)
+    return design.with_changed(replace(pad, height_mm=height_mm))
 
 
 def dose_curve(
@@ -92,7 +111,8 @@ def dose_curve(
     for dose, ground in grounds:
         progress.step(min(len(doses) / _DOSES, 1.0), "Loading the foot")
         pressed = loading.pressed(ground, Assumptions(), pressed.mpa)
-        percent = Change(known.sole, known.old, pressed).of(region).peak_percent
+        new = replace(known, grounds=(known.grounds[0], ground), new=pressed)
+        percent = new.of(region).peak_percent
         if percent is None:
             return None
         doses.append(dose)

@@ -16,7 +16,8 @@ from insole_core.progress import SILENT, Progress
 
 FITTED = ("heel", "head_1", "head_3", "head_5")
 HELD_OUT = ("midfoot", "head_2", "head_4", "toes")
-"""Regions that the fit does not see; how well it tells them says how far it can be trusted."""
+"""Regions whose pressures the moduli are not fitted to; size and centre of the load come from the
+whole map, theirs included. How well it tells them says how far it can be trusted."""
 _LEAST_LOAD, _MOST_LOAD = 0.6, 1.5
 """Of the load that the posture puts on the foot."""
 _BOUNDS = (-1.2, 1.2)

@@ -14,14 +14,16 @@ from insole_core.contact.pressing import Bed, Pressed, Support
 from insole_core.contact.tissue import Tissue, tissue_shares
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
-from insole_core.foot.landmarks import HEADS, find_landmarks
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.foot.landmarks import HEADS, Landmarks, find_landmarks
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import sole_surface
+from insole_core.messages import Message
 from insole_core.pressure.alignment import CELL_MM, SolePrint
+from insole_core.pressure.regions import regions_of
 
 STEP_MM = 2.0
 SOFT_SHOE = (Layer(10.0, 2.0, 0.2),)
@@ -36,6 +38,12 @@ _NEEDED = ((0.06, 0.24, "heel", 0.06), (0.58, 0.76, "ball", 0.1))
 """Shares of the length between which the scan must show the foot, and how wide on either side."""
 _ROWS = 0.8
 _TOES = (0.86, 0.95)
+_BEHIND_HEADS = 0.04
+"""Share of the length: pads press behind the heads, and relieve the heads themselves."""
+_FLATTER = Message(
+    "The imprint or cast was taken under a part of the weight: the sole is flatter than without "
+    "it, and reliefs are understated."
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,22 +56,47 @@ class Sole:
         Its height, mm, insole frame of the level foot; without meaning where it is not `known`.
     known : (ny, nx) bool
         Nodes that can touch.
+    landmarks
+        Of the foot; by them heel, heads and toes are told apart.
     """
 
     foot: Foot
     field: HeightField
     known: BoolArray
+    landmarks: Landmarks
 
     @classmethod
-    def of(cls, foot: Foot, step_mm: float = STEP_MM) -> Sole:
+    def of(
+        cls, foot: Foot, step_mm: float = STEP_MM, *, landmarks: Landmarks | None = None
+    ) -> Sole:
         """Return the sole of a foot; cached with the foot.
+
+        Parameters
+        ----------
+        landmarks
+            With those that were corrected by hand; None: as they are found.
 
         Raises
         ------
         InputError
             When heel or ball are missing in the scan, or when weight has made the sole flat.
         """
-        return foot.derived.get("pressed sole", (step_mm,), partial(_checked_sole, foot, step_mm))
+        places = None if landmarks is None else tuple(
+            (name, *map(float, mark.point)) for name, mark in landmarks.items()
+        )  # fmt: skip
+        find = partial(_checked_sole, foot, step_mm, landmarks)
+        return foot.derived.get("pressed sole", (step_mm, places), find)
+
+    @property
+    def notes(self) -> tuple[Message, ...]:
+        """What has to be told of how the foot was scanned."""
+        return (_FLATTER,) if self.foot.form.is_spread else ()
+
+    @cached_property
+    def regions(self) -> IntArray:
+        """(ny, nx) numbers of the regions, in `REGIONS`; -1 beside the foot."""
+        numbers = regions_of(self.field.nodes[:, :2], self.landmarks, _BEHIND_HEADS)
+        return numbers.reshape(self.known.shape)
 
     @cached_property
     def share(self) -> FloatArray:
@@ -82,7 +115,7 @@ class Sole:
 
     @cached_property
     def _from_heads(self) -> FloatArray:
-        marks = find_landmarks(self.foot)
+        marks = self.landmarks
         x, y = np.array(sorted(tuple(marks[head].point[:2]) for head in HEADS)).T
         behind = self.field.y_mm[:, None] - np.interp(self.field.x_mm, x, y)
         return np.asarray(behind / self.foot.length_mm)
@@ -113,7 +146,7 @@ def _shows(foot: Foot, first: float, last: float, beside: float = 0.0) -> bool:
     return bool(np.mean(np.asarray(shown)[rows]) >= _ROWS)
 
 
-def _checked_sole(foot: Foot, step_mm: float) -> Sole:
+def _checked_sole(foot: Foot, step_mm: float, landmarks: Landmarks | None) -> Sole:
     for first, last, name, beside in _NEEDED:
         if not _shows(foot, first, last, beside):
             raise InputError(
@@ -127,7 +160,8 @@ def _checked_sole(foot: Foot, step_mm: float) -> Sole:
     box = slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1)
     field = found.surface
     x0_mm, y0_mm = float(field.x_mm[columns[0]]), float(field.y_mm[rows[0]])
-    sole = Sole(foot, HeightField(x0_mm, y0_mm, step_mm, field.heights_mm[box]), known[box])
+    heights = HeightField(x0_mm, y0_mm, step_mm, field.heights_mm[box])
+    sole = Sole(foot, heights, known[box], landmarks or find_landmarks(foot))
     if _flat_share(sole) > _FLAT_SHARE:
         raise InputError(
             "The sole of this scan is flat, as weight makes it; how load moves can only be told "
@@ -172,6 +206,20 @@ class Ground:
         if self.body is None:
             return self
         return replace(self, body=replace(self.body, modulus_mpa=self.body.modulus_mpa / times))
+
+    def strain(self, sunk_mm: FloatArray) -> FloatArray:
+        """(ny, nx) how far the insole is compressed, as a share of its thickness; 0 beside it.
+
+        Parameters
+        ----------
+        sunk_mm : (ny, nx) float64
+            How far insole and shoe have sunk together.
+        """
+        if self.body is None:
+            return np.zeros_like(sunk_mm)
+        whole = self.thickness_mm / self.body.confined_mpa + uniform_compliance(self.shoe)
+        own = np.divide(sunk_mm, whole, out=np.zeros_like(sunk_mm), where=self.thickness_mm > 0)
+        return own / self.body.confined_mpa
 
     def beds(self, known: BoolArray) -> list[Bed]:
         """Return what gives way: the thinnest stack, and for each thicker one what it adds."""

@@ -28,7 +28,10 @@ if TYPE_CHECKING:
 NAME = "pressure-change"
 HELP = "tell how load moves from one design to another, in per cent, by a model"
 
-_FLATTER = "{what} a part of the weight: the sole is flatter than without, reliefs are understated."
+_FLATTER = (
+    "The foot was recorded with a part of the weight on it: the sole is flatter than without it, "
+    "and reliefs are understated."
+)
 _SAME_FOOT_MM = 1.0
 _A_PLACE = re.compile(r"^-\d")
 """What begins like a negative number is a place, and no option."""
@@ -92,10 +95,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         notes = _notes_of_session(arguments.foot)
         reading = progress.part(0.0, 0.7)
         foot = foot_argument.read_foot(arguments.foot, new.side, arguments, reading)
-        notes += _notes_of_foot(foot)
-        shoe = _shoe(arguments)
-        if not all(shoe.knows_material(design) for design in (new, old) if design is not None):
-            notes.append(_no_material())
+        notes += [*_loading(foot, arguments).sole.notes, *_shoe(arguments).assumed(new, old)]
         fitted = _fitted(foot, arguments, progress.part(0.7, 0.8))
         told = _changed(foot, (new, old), fitted, arguments, progress.part(0.8, 1.0))
         for note in notes:
@@ -165,22 +165,7 @@ def _notes_of_session(path: Path) -> list[str]:
             "moves can only be told from a foot without weight on it.",
             path=path,
         )
-    return [_FLATTER.format(what="The foot was recorded with")] if weight == "semi" else []
-
-
-def _notes_of_foot(foot: Foot) -> list[str]:
-    return (
-        [_FLATTER.format(what="The imprint or cast was taken under")] if foot.form.is_spread else []
-    )
-
-
-def _no_material() -> str:
-    from insole_core.contact.hardness import USUAL_SHORE_A
-
-    return (
-        f"A design names no material; foam of Shore A {USUAL_SHORE_A:g} is assumed, and the limits "
-        "allow for half and twice its stiffness. --shore-a says another hardness."
-    )
+    return [_FLATTER] if weight == "semi" else []
 
 
 def _shoe(arguments: argparse.Namespace) -> Shoe:
@@ -252,7 +237,7 @@ def _changed(
         loading,
         before,
         after,
-        material_is_known=shoe.knows_material(new),
+        material_is_known=not shoe.assumed(new, old),
         points=arguments.at,
         assumed=None if fitted is None else fitted.assumed,
         progress=progress.part(0.6, 1.0),

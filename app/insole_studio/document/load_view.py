@@ -15,7 +15,7 @@ from insole_core.contact.change import (
     pressure_change,
 )
 from insole_core.contact.designs import Shoe
-from insole_core.contact.dose import DoseCurve, dose_curve, dosed
+from insole_core.contact.dose import Dose, DoseCurve, dose_curve, dosed, with_dose
 from insole_core.contact.load_case import Posture
 from insole_core.contact.stance import Ground, Sole
 from insole_core.errors import InsoleError
@@ -24,7 +24,9 @@ from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import apply_pads
+from insole_core.messages import Message
 from insole_core.progress import Progress
+from insole_core.workflows.foot_landmarks import Marked, landmarks_of
 from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_studio.document.case import Case
 from insole_studio.document.insole_preview import InsolePreview
@@ -75,17 +77,27 @@ class _Task:
 
     question: LoadQuestion
     foot: Foot
+    marked: Marked
     design: InsoleDesign
     contact: HeightField
     old_design: InsoleDesign | None
     shoe: Shoe
     is_at_rest: bool
 
+    @property
+    def sole(self) -> Sole:
+        return Sole.of(self.foot, landmarks=landmarks_of(self.marked))
+
+    @property
     def loading(self) -> Loading:
-        return Loading(Sole.of(self.foot), self.question.weight_kg, self.question.posture)
+        return Loading(self.sole, self.question.weight_kg, self.question.posture)
+
+    @property
+    def knows_material(self) -> bool:
+        return not self.shoe.assumed(self.design, self.old_design)
 
     def grounds(self, builder: InsoleBuilder) -> tuple[Ground, Ground]:
-        sole, old = Sole.of(self.foot), self.old_design
+        sole, old = self.sole, self.old_design
         after = self.shoe.insole(sole, self.design, self.contact)
         if old is None:
             return self.shoe.floor(sole, self.design), after
@@ -110,6 +122,8 @@ class LoadView(QObject):
         self._case, self._surface = case, surface
         self._jobs, self._materials = jobs, materials
         self._question: LoadQuestion | None = None
+        self._foot: Foot | None = None
+        """Of which a change is shown or computed; None while nothing can be."""
         self._is_computing, self._is_late = False, False
         """Whether a change is being computed, and whether the insole has changed meanwhile."""
         self.change: Change | None = None
@@ -117,11 +131,14 @@ class LoadView(QObject):
         """None while they are computed."""
         self.curve: DoseCurve | None = None
         """By the target; None without one, and while it is computed."""
-        self._target: Target | None = None
+        self.dose: Dose | None = None
+        """That reaches the target; None too where none on the curve does."""
+        self.target: Target | None = None
         self._limited: tuple[_Task, Change] | None = None
         """Of what the limits were computed."""
-        self.problem = ""
+        self._problem = ""
         surface.changed.connect(self._refresh)
+        surface.failed.connect(self.told)
         case.changed.connect(self._refresh)
         materials.changed.connect(self._refresh)
 
@@ -130,28 +147,43 @@ class LoadView(QObject):
         if question == self._question:
             return
         self._question = question
-        self._jobs.cancel(CHANNEL)
-        self._is_computing = False
-        self._show(None)
+        self._drop()
         self._refresh()
 
     def aim(self, target: Target | None) -> None:
         """Compute by which dose a target is reached; None for none."""
-        if target == self._target:
+        if target == self.target:
             return
-        self._target, self.curve = target, None
+        self.target, self.curve, self.dose = target, None, None
         self.told.emit()
-        if self._limited is not None:
+        if self._limited is not None and not self._is_computing:
             self._find_dose(*self._limited)
 
     @property
-    def names_material(self) -> bool:
-        """Whether the design says what it is made of."""
-        design = self._case.shown.design
-        return design is not None and Shoe(self._materials.table).knows_material(design)
+    def problem(self) -> str:
+        """Why nothing is told, or not all; empty if there is no reason."""
+        return self._problem or ("" if self._question is None else self._surface.problem)
+
+    @property
+    def notes(self) -> tuple[Message, ...]:
+        """What is assumed, and what has to be told of the scan."""
+        of_foot = () if self.change is None else self.change.sole.notes
+        shoe = Shoe(self._materials.table)
+        return *of_foot, *shoe.assumed(self._case.shown.design, self._old_design())
+
+    @property
+    def untold(self) -> tuple[str, ...]:
+        """Names of the regions that have no colour, as nothing can be told of them."""
+        if self.limits is not None:
+            return self.limits.cannot_tell
+        return () if self.change is None else self.change.untold
 
     def _refresh(self) -> None:
         task = self._task()
+        foot = None if task is None else task.foot
+        if foot is not self._foot:
+            self._drop()
+            self._foot = foot
         if task is None:
             return
         if self._is_computing:
@@ -164,28 +196,40 @@ class LoadView(QObject):
         foot, design = case.foot, case.shown.design
         if question is None or foot is None or design is None or contact is None:
             return None
-        record = case.record.current
-        variants = () if record is None else record.variants
-        old = next((one.design for one in variants if one.name == question.variant), None)
+        old = self._old_design()
         still = replace(contact, heights_mm=contact.heights_mm.copy())
         is_at_rest = case.shown is case.record and self._surface.is_current
         shoe = Shoe(self._materials.table)
-        return _Task(question, foot, design, still, old, shoe, is_at_rest)
+        return _Task(question, foot, case.record, design, still, old, shoe, is_at_rest)
+
+    def _old_design(self) -> InsoleDesign | None:
+        """Return the design of the variant that is compared with; None for a flat shoe."""
+        record, question = self._case.record.current, self._question
+        if record is None or question is None:
+            return None
+        return next((one.design for one in record.variants if one.name == question.variant), None)
 
     def _start(self, task: _Task) -> None:
         self._is_computing, self._is_late = True, False
-        builder, before = self._surface.builder, self._of_same_sole(task)
+        builder, before = self._surface.builder, self.change
 
         def compute(_progress: Progress) -> Change:
             old, new = task.grounds(builder)
-            return changed(task.loading(), old, new, Assumptions(), before)
+            return changed(task.loading, old, new, Assumptions(), before)
 
         def take(change: Change) -> None:
             self._is_computing = False
             self._show(change)
             self._go_on(task, change)
 
-        self._jobs.start(CHANNEL, compute, take, self._refuse)
+        def fail(error: Exception) -> None:
+            self._is_computing = False
+            problem = _sentence(error)
+            self._show(None, problem)
+            if self._is_late:
+                self._refresh()
+
+        self._jobs.start(CHANNEL, compute, take, fail)
 
     def _go_on(self, task: _Task, change: Change) -> None:
         """Compute a newer insole, or the limits of this one."""
@@ -195,56 +239,76 @@ class LoadView(QObject):
             self._find_limits(task, change)
 
     def _find_limits(self, task: _Task, change: Change) -> None:
-        builder = self._surface.builder
-
         def compute(progress: Progress) -> PressureChange:
-            old, new = task.grounds(builder)
-            known = task.shoe.knows_material(task.design)
             return pressure_change(
-                task.loading(), old, new, material_is_known=known, known=change, progress=progress
+                change.loading,
+                *change.grounds,
+                material_is_known=task.knows_material,
+                known=change,
+                progress=progress,
             )
 
         def take(told: PressureChange) -> None:
             self.limits, self._limited = told, (task, change)
+            self.changed.emit()
             self.told.emit()
             self._find_dose(task, change)
 
-        self._jobs.start(CHANNEL, compute, take, self._refuse)
+        self._jobs.start(CHANNEL, compute, take, self._keep)
 
     def _find_dose(self, task: _Task, change: Change) -> None:
-        target, base = self._target, self._surface.base
+        target, base = self.target, self._surface.base
         pad = None if target is None else task.design.found(target.pad_id, Pelott)
         if target is None or pad is None or base is None:
             return
 
-        def compute(progress: Progress) -> DoseCurve | None:
-            sole = Sole.of(task.foot)
-            grounds = (
-                (dose, task.shoe.insole(sole, design, apply_pads(base, design)))
-                for dose, design in dosed(task.design, pad)
+        def ground(design: InsoleDesign) -> Ground:
+            return task.shoe.insole(change.sole, design, apply_pads(base, design))
+
+        def compute(progress: Progress) -> tuple[DoseCurve | None, Dose | None]:
+            grounds = ((dose, ground(design)) for dose, design in dosed(task.design, pad))
+            curve = dose_curve(
+                change.loading, change, grounds, target.region, progress.part(0.0, 0.4)
             )
-            return dose_curve(task.loading(), change, grounds, target.region, progress)
+            height_mm = None if curve is None else curve.reaching(target.percent)
+            if height_mm is None:
+                return curve, None
+            told = pressure_change(
+                change.loading,
+                change.grounds[0],
+                ground(with_dose(task.design, pad, height_mm)),
+                material_is_known=task.knows_material,
+                progress=progress.part(0.4, 1.0),
+            )
+            return curve, Dose(height_mm, told.regions[target.region])
 
-        def take(curve: DoseCurve | None) -> None:
-            self.curve = curve
-            self.told.emit()
+        def take(found: tuple[DoseCurve | None, Dose | None]) -> None:
+            if target == self.target:
+                self.curve, self.dose = found
+                self.told.emit()
 
-        self._jobs.start(CHANNEL, compute, take, self._refuse)
+        self._jobs.start(CHANNEL, compute, take, self._keep)
 
-    def _of_same_sole(self, task: _Task) -> Change | None:
-        change = self.change
-        return change if change is not None and change.sole.foot is task.foot else None
+    def _keep(self, error: Exception) -> None:
+        """Say why there are no limits or no dose; what is known of the change stays."""
+        self._problem = _sentence(error)
+        self.told.emit()
 
-    def _refuse(self, error: Exception) -> None:
+    def _drop(self) -> None:
+        """Show nothing, and let nothing that is computed arrive."""
+        self._jobs.cancel(CHANNEL)
         self._is_computing = False
-        if not isinstance(error, InsoleError):
-            raise error
-        self._show(None, str(error))
-        if self._is_late:
-            self._refresh()
+        self._show(None)
 
     def _show(self, change: Change | None, problem: str = "") -> None:
-        self.change, self.limits, self.problem = change, None, problem
-        self.curve, self._limited = None, None
+        self.change, self.limits, self._problem = change, None, problem
+        self.curve, self.dose, self._limited = None, None, None
         self.changed.emit()
         self.told.emit()
+
+
+def _sentence(error: Exception) -> str:
+    """Return what an error of the data says; a fault of the program is raised."""
+    if not isinstance(error, InsoleError):
+        raise error
+    return str(error)

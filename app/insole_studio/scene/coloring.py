@@ -47,6 +47,8 @@ class Coloring:
         Whether the map begins as light as the material, and goes to a dark red.
     unit
         Unit of the values, for the legend.
+    is_clipped
+        Whether greater values are shown by the last colour too, for the legend.
     missing
         What it means that a value is NaN, for the legend; empty if it is not told there.
     painted : (n, 3) uint8, optional
@@ -59,6 +61,7 @@ class Coloring:
     signed: bool = False
     from_light: bool = False
     unit: str = "mm"
+    is_clipped: bool = False
     missing: str = ""
     painted: npt.NDArray[np.uint8] | None = None
 

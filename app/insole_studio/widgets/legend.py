@@ -74,6 +74,7 @@ class Legend(QWidget):
         painter.fillRect(strip, gradient)
         decimals = 0 if max(abs(limit) for limit in self._coloring.limits) >= WHOLE_FROM else 1
         low, high = (localised(limit, f".{decimals}f") for limit in self._coloring.limits)
+        high = f"≥ {high}" if self._coloring.is_clipped else high
         left = QRectF(start, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())
         vertical = Qt.AlignmentFlag.AlignVCenter

@@ -152,6 +152,14 @@
             <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
         </message>
         <message>
+            <source>A design has separate layers, whose materials are not known; the insole is taken for one piece, and the limits allow for half and twice its stiffness.</source>
+            <translation>En design har separata skikt vars material inte är kända; inlägget räknas som ett stycke, och gränserna rymmer halva och dubbla styvheten.</translation>
+        </message>
+        <message>
+            <source>A design names no material; foam of Shore A {hardness:g} is assumed, and the limits allow for half and twice its stiffness.</source>
+            <translation>En design anger inget material; skum med Shore A {hardness:g} antas, och gränserna rymmer halva och dubbla styvheten.</translation>
+        </message>
+        <message>
             <source>A distance of {distance_mm:g} mm between the two points is asked for; give one of {least:.0f} to {most:.0f} mm.</source>
             <translation>Ett avstånd på {distance_mm:g} mm mellan de två punkterna begärs; ange ett på {least:.0f} till {most:.0f} mm.</translation>
         </message>
@@ -3410,6 +3418,10 @@
         <message>
             <source>The imprint in the foam, {depth_mm:.0f} mm deep, does not look like a foot; see that heel, ball and toes are pressed in, and take it again.</source>
             <translation>Avtrycket i skummet, {depth_mm:.0f} mm djupt, liknar ingen fot; se till att häl, framfot och tår trycks ner, och ta det på nytt.</translation>
+        </message>
+        <message>
+            <source>The imprint or cast was taken under a part of the weight: the sole is flatter than without it, and reliefs are understated.</source>
+            <translation>Avtrycket eller avgjutningen togs under en del av tyngden: sulan är plattare än utan den, och avlastningar underskattas.</translation>
         </message>
         <message>
             <source>The inside of the shoe crosses itself; choose the shoe again.</source>

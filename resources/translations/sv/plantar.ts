@@ -20,14 +20,6 @@
             <translation>Mellan (95 %)</translation>
         </message>
         <message>
-            <source>By the model {dose} mm reach {percent}; but it cannot tell of this region.</source>
-            <translation>Enligt modellen når {dose} mm {percent}; men om det här området kan den inte säga något.</translation>
-        </message>
-        <message>
-            <source>By the model {dose} mm reach {percent}; the limits of the table hold.</source>
-            <translation>Enligt modellen når {dose} mm {percent}; tabellens gränser gäller.</translation>
-        </message>
-        <message>
             <source>Change of pressure</source>
             <translation>Ändring av trycket</translation>
         </message>
@@ -280,10 +272,6 @@
             <translation>Designen har ingen pelott vars höjd kunde varieras.</translation>
         </message>
         <message>
-            <source>The design names no material; foam of Shore A {hardness} is assumed.</source>
-            <translation>Designen anger inget material; skum med Shore A {hardness} antas.</translation>
-        </message>
-        <message>
             <source>Turn the map</source>
             <translation>Vrid bilden</translation>
         </message>
@@ -300,8 +288,8 @@
             <translation>Vad den kan säga: var ett inlägg avlastar och var det belastar, i procent, och vilken av två designer som avlastar ett ställe mest. Varje tal har gränser, som ändringen bör ligga mellan hos 95 fötter av 100.</translation>
         </message>
         <message>
-            <source>What it cannot tell: pressures in kPa, pain, or whether an ulcer heals. The foot is one rigid bone with soft tissue: its arch does not sag and its toes do not bend, so that postings and total contact under the forefoot are judged wrongly. Where the model is not sure enough, it says so. A foot that was scanned with weight on it is refused.</source>
-            <translation>Vad den inte kan säga: tryck i kPa, smärta, eller om ett sår läker. Foten är ett enda stelt ben med mjukdelar: valvet sjunker inte ihop och tårna böjs inte, så kilningar och full kontakt under framfoten bedöms fel. Där modellen inte är säker nog säger den det. En fot som skannades under belastning avvisas.</translation>
+            <source>What it cannot tell: pressures in kPa, pain, or whether an ulcer heals. The foot is one rigid bone with soft tissue: its arch does not sag and its toes do not bend, so that postings and total contact under the forefoot are judged wrongly. Where the model is not sure enough, it says so. A sole that weight has made flat is refused; less weight on the foot is not seen in a scan, and reliefs are then understated. Separate layers and covers are taken for one piece with the shell.</source>
+            <translation>Vad den inte kan säga: tryck i kPa, smärta, eller om ett sår läker. Foten är ett enda stelt ben med mjukdelar: valvet sjunker inte ihop och tårna böjs inte, så kilningar och full kontakt under framfoten bedöms fel. Där modellen inte är säker nog säger den det. En sula som belastning har gjort platt avvisas; mindre belastning på foten syns inte i en skanning, och avlastningar underskattas då. Separata skikt och överdrag räknas som ett stycke med skalet.</translation>
         </message>
         <message>
             <source>a flat shoe</source>
@@ -328,8 +316,8 @@
             <translation>häl {heel}, mellanfot {midfoot}, huvud 1–5: {heads}, stortå {hallux}, tår {toes}</translation>
         </message>
         <message>
-            <source>no pressure</source>
-            <translation>inget tryck</translation>
+            <source>no pressure, or cannot tell</source>
+            <translation>inget tryck, eller kan inte säga</translation>
         </message>
         <message>
             <source>no target</source>
@@ -354,6 +342,14 @@
         <message>
             <source>{number}: frames {first} to {last}</source>
             <translation>{number}: bild {first} till {last}</translation>
+        </message>
+        <message>
+            <source>{pad}: by the model {dose} mm reach {percent}, between {low} and {high} (95 %).</source>
+            <translation>{pad}: enligt modellen når {dose} mm {percent}, mellan {low} och {high} (95 %).</translation>
+        </message>
+        <message>
+            <source>{pad}: by the model {dose} mm reach {percent}, but it cannot tell: {reason}</source>
+            <translation>{pad}: enligt modellen når {dose} mm {percent}, men den kan inte säga säkert: {reason}</translation>
         </message>
     </context>
 </TS>

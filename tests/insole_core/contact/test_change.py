@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,19 +15,24 @@ from insole_core.contact.change import (
     Change,
     Loading,
     changed,
+    inside,
     pressure_change,
 )
 from insole_core.contact.designs import Shoe
+from insole_core.contact.elastic_layers import uniform_compliance
 from insole_core.contact.hardness import body_of, foam, modulus_of_shore_a
 from insole_core.contact.load_case import Posture
+from insole_core.contact.pressing import Pressed
 from insole_core.contact.stance import SOFT_SHOE, Ground, Sole, shoe_floor
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import Material, MaterialTable, read_materials
 from insole_core.insole.prescription.shell import Shell
+from insole_core.workflows.foot_landmarks import with_places
 
 EVA = Shoe(read_materials(), body=foam(35))
 
@@ -152,6 +158,63 @@ def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(so
     assert "metatarsal_heads" in told[1].cannot_tell
 
 
+def test_a_place_has_the_reason_of_its_region_and_no_colour(sole: Sole) -> None:
+    x, y, _ = find_landmarks(sole.foot)["metatarsal_head_2"].point
+    head, beside = (float(x), float(y)), (500.0, 30.0)
+    thick = np.full(sole.known.shape, 6.0)
+    loading = Loading(sole, 75, Posture.PUSH_OFF)
+    ground = Ground(thick, thick, foam(35))
+    told = pressure_change(loading, shoe_floor(sole), ground, points=[head, beside])
+    at_head, off_the_foot = told.points
+    assert at_head.reason == told.regions["head_2"].reason != ""
+    assert off_the_foot.reason
+    change = told.change  # and as much during a drag, without limits
+    assert set(change.untold) <= set(told.cannot_tell)
+    assert "head_2" in change.untold
+    pressed = inside(sole, "head_2") & np.isfinite(change.percent)
+    assert pressed.any()
+    assert np.isnan(change.shown_percent(change.untold)[pressed]).all()
+    assert np.isfinite(change.shown_percent(())[pressed]).all()
+
+
+def test_where_a_foot_cannot_stand_as_it_may_nothing_is_told(
+    sole: Sole, insole: Ground, from_flat: Change, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loaded = Loading.pressed
+
+    def pressed(loading: Loading, ground: Ground, assumed: Assumptions, *start: Any) -> Pressed:
+        if assumed.moved_mm[1] > 0:
+            raise InputError("No pressure has this centre.")
+        return loaded(loading, ground, assumed, *start)
+
+    monkeypatch.setattr(Loading, "pressed", pressed)
+    heel = pressure_change(Loading(sole, 75), shoe_floor(sole), insole, known=from_flat).regions[
+        "heel"
+    ]
+    assert heel.percent == from_flat.of("heel").peak_percent
+    assert heel.limits is None
+    assert "too much" in heel.reason
+
+
+def test_landmarks_by_hand_say_where_the_heads_are(sole: Sole) -> None:
+    marks = find_landmarks(sole.foot)
+    by_hand = with_places(
+        sole.foot,
+        marks,
+        {
+            name: tuple(np.add(marks[name].point, (0, 12, 0)))
+            for name in marks
+            if name.startswith("metatarsal_head_")
+        },
+    )
+    moved = Sole.of(sole.foot, landmarks=by_hand)
+    rows = [np.flatnonzero(inside(one, "head_2").any(axis=1)).min() for one in (sole, moved)]
+    assert rows[1] - rows[0] == 6
+    assert not np.array_equal(moved.tissue, sole.tissue)
+    assert Sole.of(sole.foot, landmarks=by_hand) is moved
+    assert Sole.of(sole.foot) is sole
+
+
 def test_flat_foam_relieves_as_in_published_series(sole: Sole) -> None:
     """Flat foam under the heel: 24 % in the mean (Goske 2006)."""
     floor = shoe_floor(sole)
@@ -166,6 +229,19 @@ def test_a_thin_soft_insole_is_told_to_be_compressed_too_much(sole: Sole) -> Non
     told = pressure_change(Loading(sole, 120), shoe_floor(sole), Ground(thin, thin, soft))
     assert "heel" in told.cannot_tell
     assert "too thin" in told.regions["heel"].reason
+    away = pressure_change(Loading(sole, 120), Ground(thin, thin, soft), shoe_floor(sole))
+    assert "too thin" in away.regions["heel"].reason
+
+
+def test_the_midsole_below_does_not_compress_the_insole(sole: Sole) -> None:
+    thin = np.full(sole.known.shape, 1.0)
+    alone, on_soft = (Ground(thin, thin, foam(35), shoe) for shoe in ((), SOFT_SHOE))
+    kpa = 0.1
+    both_mm = kpa * uniform_compliance((foam(35), *SOFT_SHOE))
+    expected = kpa / foam(35).confined_mpa
+    assert on_soft.strain(np.full(thin.shape, both_mm)) == pytest.approx(expected)
+    assert alone.strain(np.full(thin.shape, expected)) == pytest.approx(expected)
+    assert not shoe_floor(sole, shoe=SOFT_SHOE).strain(thin).any()
 
 
 def test_at_heel_strike_the_heel_carries_nearly_all_and_at_push_off_the_ball(sole: Sole) -> None:
@@ -215,8 +291,9 @@ def test_materials_give_way_by_their_hardness_or_not_at_all() -> None:
 def test_a_stiff_shell_is_as_hard_as_a_floor_of_its_form(sole: Sole) -> None:
     design = replace(padded(sole.foot, 0), shell=Shell(material="polypropylene"))
     made = Shoe(read_materials())
-    assert made.knows_material(design)
-    assert not made.knows_material(padded(sole.foot, 0))
+    assert not made.assumed(design)
+    for old in (padded(sole.foot, 0), replace(design, layers=Layers(cover_mm=3))):
+        assert len(made.assumed(design, old)) == 1
     ground = made.built(sole, design)
     assert ground.beds(sole.known) == []
     assert np.array_equal(ground.top_mm, EVA.built(sole, design).top_mm)

@@ -66,6 +66,7 @@ def test_the_report_tells_regions_points_and_areas_with_their_limits(
     assert heel["limits_95"][0] < heel["change_percent"] < heel["limits_95"][1] < 0
     assert [(p["x_mm"], p["y_mm"]) for p in told["points"]] == [(-12, 40), (0, 30)]
     assert told["points"][1]["change_percent"] < 0
+    assert told["points"][1]["reason"] == told["reasons"].get("heel", "")
     assert told["contact_area_mm2"]["new"] > told["contact_area_mm2"]["old"]
     assert set(told["cannot_tell"]) == set(told["reasons"])
     printed = capsys.readouterr()
@@ -84,6 +85,25 @@ def test_against_itself_nothing_changes_and_the_material_that_is_assumed_is_told
         "change_percent": 0.0, "limits_95": [0.0, 0.0], "load_change_percent": 0.0
     }  # fmt: skip
     assert "Shore A 35 is assumed" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("unsure", [{"shell": None}, {"layers": {"cover_mm": 3}}])
+def test_what_is_not_known_of_the_old_insole_widens_the_limits(
+    foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], unsure: dict[str, Any]
+) -> None:
+    named: dict[str, Any] = {"shell": {"material": "EVA, Shore A 35"}, "thickness_mm": 6}
+    new = design(tmp_path, "new.json", **named)
+    widths = []
+    for number, more in enumerate(({}, unsure)):
+        content = {**named, **more, "thickness_mm": 8}
+        given = {key: value for key, value in content.items() if value is not None}
+        old = design(tmp_path, "old.json", **given)
+        report = tmp_path / f"change_{number}.json"
+        assert run(call(foot, new, report, "--against", str(old))) == 0
+        assert ("A design " in capsys.readouterr().err) is bool(more)
+        low, high = json.loads(report.read_text())["regions"]["heel"]["limits_95"]
+        widths.append(high - low)
+    assert widths[1] > widths[0] + 0.01
 
 
 @pytest.mark.parametrize(
@@ -158,7 +178,9 @@ def test_the_tissue_is_fitted_to_a_standing_map_of_a_case_and_not_to_one_of_walk
         assert "walking" in capsys.readouterr().err.splitlines()[-1]
         assert not report.exists()
     else:
-        fit = json.loads(report.read_text())["fit"]
+        told = json.loads(report.read_text())
+        assert told["total_load_N"] == pytest.approx(kpa.sum() * 0.036, rel=1e-3)
+        fit = told["fit"]
         assert fit["heel_mpa"] > 0
         assert fit["held_out_error_percent"] > 0
         assert "held out" in capsys.readouterr().out

@@ -11,12 +11,19 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from insole_core.contact.change import SENTENCE
+from insole_core.imprints.form import Form
 from insole_core.insole.elements import Pelott
+from insole_core.insole.prescription.outline import Outline
+from insole_core.workflows.starting_design import mirrored_foot
 from insole_studio.app.bootstrap import Application
+from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.load.load_dialog import LoadDialog
 from insole_studio.features.design.models.color_maps import MapKind
 
 Settle = Callable[[], None]
+BESIDE_FOOT = Outline(
+    source="drawn", points_mm=((150.0, 0.0), (190.0, 0.0), (190.0, 40.0), (150.0, 40.0))
+)
 
 
 def act(app: Application, key: str) -> None:
@@ -71,14 +78,57 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     settle()
     assert load.limits is not None
 
-    dialog.region.setCurrentIndex(dialog.region.findData("heel"))
+    dialog.region.setCurrentIndex(dialog.region.findData("midfoot"))
     dialog.percent.show_value(-10.0)
     dialog.region.activated.emit(dialog.region.currentIndex())
     settle()
     assert load.curve is not None
     assert load.curve.doses_mm[0] == 0
     assert not dialog.chart.isHidden()
-    assert not dialog.dose.isHidden()
+    dialog.percent.show_value(round(load.curve.percents[3]))
+    dialog.region.activated.emit(dialog.region.currentIndex())
+    assert dialog.chart.isHidden()  # that of another target
+    settle()
+    assert load.curve is not None
+    assert load.dose is not None, load.curve.percents
+    text = dialog.dose.text()
+    assert name_of(pad) in text
+    assert f"{load.dose.height_mm:.1f} mm" in text
+    told = load.dose.told
+    if told.reason:
+        assert told.reason in text
+    else:
+        assert told.limits is not None
+        assert all(f"{limit:+.0f} %" in text for limit in told.limits)
+        assert told.limits != load.limits.regions["midfoot"].limits
+    dialog.region.setCurrentIndex(0)
+    dialog.region.activated.emit(0)
+    assert dialog.chart.isHidden()
+    assert dialog.dose.isHidden()
+
+    # What cannot be made is told, and has no figures.
+    outside = replace(app.case.record.design, outline=BESIDE_FOOT)
+    app.case.apply(outside, "Change")
+    settle()
+    assert {row.cells[1] for row in dialog.table.rows} == {"cannot tell"}
+    assert dialog.problem.text()
+    app.case.undo()
+
+    # The other foot has nothing of this one's, not even what is being computed.
+    whole = app.case.record
+    left = whole.current
+    assert left is not None
+    right = mirrored_foot(left, app.case.stamped)
+    assert right.foot is not None
+    right = replace(right, foot=replace(right.foot, form=Form.IMPRINT))
+    app.case.apply(right, "Add the other foot")
+    assert load.change is None
+    settle()
+    assert load.change is not None
+    assert load.change.sole.foot is right.foot
+    assert "part of the weight" in dialog.assumed.text()
+    app.case.undo()
+    assert load.change is None
 
     dialog.reject()
     settle()

@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from insole_core.contact.change import GROUPS, Told
-from insole_core.contact.hardness import USUAL_SHORE_A
+from insole_core.contact.dose import Dose
 from insole_core.insole.elements import Pelott
 from insole_studio.document.load_view import LoadView, Target
 from insole_studio.features.design.actions.view_actions import SideBySideActions
+from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import fill, localised, tr, translate_core_message
@@ -81,31 +82,18 @@ class LoadActions:
 
     def _show_dose(self, dialog: LoadDialog) -> None:
         """Say which dose of the pad reaches the target, and show the curve."""
-        curve, percent, region = (
-            self._load.curve,
-            dialog.percent.value(),
-            dialog.region.currentData(),
-        )
-        design = self._case.record.design
-        told = None if self._load.limits is None else self._load.limits.regions.get(region)
-        dialog.chart.show_curve(curve, percent)
-        if not region or design is None:
-            dialog.dose.say("")
-        elif not design.of(Pelott):
+        design, target = self._case.record.design, self._load.target
+        curve = None if target is None else self._load.curve
+        dialog.chart.show_curve(curve, dialog.percent.value())
+        pad = None if target is None or design is None else design.found(target.pad_id, Pelott)
+        if design is not None and dialog.region.currentData() and not design.of(Pelott):
             dialog.dose.say(tr("The design has no pad whose height could be varied."))
-        elif curve is None:
+        elif curve is None or target is None or pad is None:
             dialog.dose.say("")
-        elif (dose := curve.reaching(percent)) is None:
+        elif self._load.dose is None:
             dialog.dose.say(tr("No height of the pad that was tried reaches this change."))
         else:
-            texts = {"dose": localised(dose), "percent": _signed(percent)}
-            doubtful = told is None or bool(told.reason)
-            template = (
-                tr("By the model {dose} mm reach {percent}; but it cannot tell of this region.")
-                if doubtful
-                else tr("By the model {dose} mm reach {percent}; the limits of the table hold.")
-            )
-            dialog.dose.say(fill(template, **texts))
+            dialog.dose.say(_dose_text(self._load.dose, name_of(pad), target.percent))
 
     def _close(self) -> None:
         self._dialog = None
@@ -130,11 +118,7 @@ class LoadActions:
             dialog.problem.say(tr("Put in the body weight; nothing is assumed."))
         else:
             dialog.problem.say(load.problem)
-        assumed = "" if load.names_material else fill(
-            tr("The design names no material; foam of Shore A {hardness} is assumed."),
-            hardness=localised(USUAL_SHORE_A, ".0f"),
-        )  # fmt: skip
-        dialog.assumed.say(assumed)
+        dialog.assumed.say_all(load.notes)
         self._show_dose(dialog)
         change = load.change
         if change is None:
@@ -142,14 +126,35 @@ class LoadActions:
             dialog.reasons.say("")
             return
         told = {} if load.limits is None else load.limits.regions
-        rows = [_row(name, text, told.get(name)) for name, text in _regions().items()]
+        rows = [_row(name, text, told.get(name), load.problem) for name, text in _regions().items()]
         dialog.reasons.say_all(_reasons(told))  # before the rows, which make room for all
         old, new = (localised(mm2 / 100, ".0f") for mm2 in change.areas_mm2)
         dialog.show_rows(rows, fill(tr("Contact {old} → {new} cm²"), old=old, new=new))
 
 
-def _row(name: str, text: str, told: Told | None) -> TableRow:
+def _dose_text(dose: Dose, pad: str, percent: float) -> str:
+    """Return which height reaches a change, with its own limits or why there are none."""
+    texts = {"dose": localised(dose.height_mm), "pad": pad, "percent": _signed(percent)}
+    told = dose.told
+    if told.reason or told.limits is None:
+        return fill(
+            tr("{pad}: by the model {dose} mm reach {percent}, but it cannot tell: {reason}"),
+            reason=translate_core_message(told.reason),
+            **texts,
+        )
+    low, high = (_signed(limit) for limit in told.limits)
+    return fill(
+        tr("{pad}: by the model {dose} mm reach {percent}, between {low} and {high} (95 %)."),
+        low=low,
+        high=high,
+        **texts,
+    )
+
+
+def _row(name: str, text: str, told: Told | None, problem: str) -> TableRow:
     """Return what is told of a region; no figure is shown without its limits."""
+    if told is None and problem:
+        return TableRow(name, (text, tr("cannot tell"), "–"), tip=problem)
     if told is None:
         return TableRow(name, (text, "…", "…"))
     if told.reason or told.percent is None or told.limits is None:

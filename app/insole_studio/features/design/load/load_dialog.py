@@ -141,8 +141,10 @@ class LoadDialog(QDialog):
             tr("What it cannot tell: pressures in kPa, pain, or whether an ulcer heals. The "
                "foot is one rigid bone with soft tissue: its arch does not sag and its toes do not "
                "bend, so that postings and total contact under the forefoot are judged wrongly. "
-               "Where the model is not sure enough, it says so. A foot that was scanned with "
-               "weight on it is refused."),
+               "Where the model is not sure enough, it says so. A sole that weight has made "
+               "flat is refused; less weight on the foot is not seen in a scan, and reliefs are "
+               "then understated. Separate layers and covers are taken for one piece with the "
+               "shell."),
             tr("It is no measurement. What the patient's foot does in the shoe, only a "
                "measurement in the shoe tells. F1 opens the whole page, with all it was checked "
                "against."),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from enum import StrEnum
 
@@ -205,17 +205,21 @@ def _painted(
     return Coloring(values, limits, title, unit=unit, painted=colors.round().astype(np.uint8))
 
 
-def load_coloring(change: Change, vertices: FloatArray, where: BoolArray) -> Coloring:
+def load_coloring(
+    change: Change, untold: Collection[str], vertices: FloatArray, where: BoolArray
+) -> Coloring:
     """Return the colours of a surface by how the pressure changes there.
 
     Parameters
     ----------
+    untold
+        Names of the regions of which nothing can be told.
     vertices : (n, 3) float64, mm, insole frame
     where : (n,) bool
         Which of them belong to the sole, or to the upper side of the insole.
     """
     values = np.full(len(vertices), np.nan)
-    percent = replace(change.sole.field, heights_mm=change.shown_percent)
+    percent = replace(change.sole.field, heights_mm=change.shown_percent(untold))
     values[where] = percent.height_at(vertices[where, :2])
     return Coloring(
         values,
@@ -223,7 +227,8 @@ def load_coloring(change: Change, vertices: FloatArray, where: BoolArray) -> Col
         tr("Change of pressure"),
         signed=True,
         unit="%",
-        missing=tr("no pressure"),
+        is_clipped=True,
+        missing=tr("no pressure, or cannot tell"),
     )
 
 

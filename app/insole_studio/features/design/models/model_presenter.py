@@ -512,7 +512,9 @@ class FootPresenter(ModelPresenter):
 
     def _load_coloring(self, mesh: TriangleMesh) -> Coloring | None:
         change = self._load.change
-        return None if change is None else load_coloring(change, mesh.vertices, is_sole(mesh))
+        if change is None:
+            return None
+        return load_coloring(change, self._load.untold, mesh.vertices, is_sole(mesh))
 
     def show_counterpart(self) -> None:
         """Show the other foot, and the difference to it."""
@@ -590,7 +592,7 @@ class InsolePresenter(ModelPresenter):
         self._contours = True
         self._shoe = False
         self._shoe_lines: GuideLines | None = None
-        self._loaded: tuple[Change, tuple[int, ...], Coloring] | None = None
+        self._loaded: tuple[tuple[Change, tuple[str, ...], tuple[int, ...]], Coloring] | None = None
         """What the colours by the change of the pressure were last made of, and they themselves."""
         self._shoe_of: tuple[object, ...] | None = None
         """What the shown outline of a shoe was made of."""
@@ -647,11 +649,12 @@ class InsolePresenter(ModelPresenter):
         change, mesh = self._load.change, self._surface.mesh
         if change is None or mesh is None or self._surface.bottom_heights_mm is None:
             return None
-        if self._loaded is None or self._loaded[:2] != (change, mesh.triangles.shape):
+        untold = self._load.untold
+        of = (change, untold, mesh.triangles.shape)
+        if self._loaded is None or self._loaded[0] != of:
             is_top = self._is_top(len(self._surface.bottom_heights_mm))
-            coloring = load_coloring(change, mesh.vertices, is_top)
-            self._loaded = change, mesh.triangles.shape, coloring
-        return self._loaded[2]
+            self._loaded = of, load_coloring(change, untold, mesh.vertices, is_top)
+        return self._loaded[1]
 
     def _is_top(self, size: int) -> BoolArray:
         """(n,) which vertices of the mesh belong to the upper side."""
