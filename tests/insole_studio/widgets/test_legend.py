@@ -28,6 +28,17 @@ def test_missing_values_have_a_swatch(qtbot: QtBot, width: int) -> None:
     assert legend.sizeHint().width() > wide + 14
 
 
+def test_a_scale_that_ends_before_the_values_says_so(qtbot: QtBot) -> None:
+    legend = Legend()
+    qtbot.addWidget(legend)
+    legend.resize(430, 22)
+    pictures = []
+    for is_clipped in (False, True):
+        legend.show_coloring(replace(COLORING, is_clipped=is_clipped))
+        pictures.append(legend.grab().toImage())
+    assert pictures[0] != pictures[1]
+
+
 def _has_swatch(legend: Legend) -> bool:
     image = legend.grab().toImage()
     row = [image.pixelColor(x, 11) for x in range(image.width())]
