@@ -28,6 +28,7 @@ from insole_core.recording.sensor_folder import (
     corrected_image,
     correction_name,
     file_beside,
+    infrared_shift_px,
     is_metric,
     parse_sensor,
 )
@@ -159,43 +160,52 @@ def _dots(store: Store, folder: str, root: JsonObject, sensor: Sensor) -> DotPic
     named = root.has("infrared_reference")
     if f"{folder}/{_DOTS}_000.png" not in store.names() and not named:
         return None
-    pictures = None
+    dots = DotPictures()
     try:
         kind = PngKind(sensor.depth_camera.width, sensor.depth_camera.height, 16, _GREY)
         names = _frames(store, folder, _DOTS, kind)
-        pictures = InfraredPictures(len(names), partial(_read_grey, store, names, decode_grey), 16)
-        if not named:
-            raise InputError(
-                "{folder} holds infrared pictures, but its sensor has no pattern of dots yet; "
-                "learn it by calibrate infrared.",
-                folder=store.place(folder),
-            )
-        if root.has("infrared_shift_px") and any(root.numbers("infrared_shift_px", 2, -99, 99)):
-            raise root.fail("infrared_shift_px", "must be [0, 0]; move the pictures onto the depth")
-        return DotPictures(pictures, _reference(store, folder, root, sensor.serial))
+        read = partial(_read_grey, store, names, decode_grey)
+        dots = replace(dots, pictures=InfraredPictures(len(names), read, 16))
+        dots = replace(dots, shift_px=infrared_shift_px(root))
     except InputError as error:
-        return DotPictures(pictures, fault=error.message)
+        dots = replace(dots, picture_fault=error.message)
+    try:
+        name, reference = _reference(store, folder, root)
+        dots = replace(dots, reference=reference)
+        _check_owner(name, reference, sensor.serial)
+    except InputError as error:
+        dots = replace(dots, pattern_fault=error.message)
+    return dots
 
 
-def _reference(store: Store, folder: str, root: JsonObject, serial: str) -> InfraredReference:
-    name = file_beside(root, "infrared_reference")
-    place = f"{folder}/{name}"
+def _reference(store: Store, folder: str, root: JsonObject) -> tuple[str, InfraredReference]:
+    """Return the place of the pattern that a view names, and the pattern."""
+    if not root.has("infrared_reference"):
+        raise InputError(
+            "{folder} holds infrared pictures, but no pattern of dots of its sensor; learn it by "
+            "calibrate infrared --keep, and put it in by calibrate session.",
+            folder=store.place(folder),
+        )
+    place = f"{folder}/{file_beside(root, 'infrared_reference')}"
     if place not in store.names():
         raise InputError(
             "{name} is missing, but sensor.json names it as infrared_reference; restore it from "
             "the recording.",
             name=store.place(place),
         )
-    reference = parse_reference(store.place(place), store.read(place))
+    name = store.place(place)
+    return name, parse_reference(name, store.read(place))
+
+
+def _check_owner(name: str, reference: InfraredReference, serial: str) -> None:
     if reference.record.serial != serial:
         raise InputError(
             "{name} is the pattern of sensor {found}, but the view is of sensor {serial}; put in "
             "the pattern of that sensor.",
-            name=store.place(place),
+            name=name,
             found=reference.record.serial,
             serial=serial,
         )
-    return reference
 
 
 def _stereo_pair(store: Store, folder: str, sensor: Sensor) -> dict[str, InfraredPictures]:

@@ -18,7 +18,7 @@ from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.messages import joined
 from insole_core.recording.images import MAX_PIXELS, MAX_SIDE
-from insole_core.recording.session import FrameTimes
+from insole_core.recording.session import DotPictures, FrameTimes
 from insole_core.sensing.correction import (
     OF_A_KINECT,
     CorrectedImage,
@@ -31,7 +31,6 @@ from insole_core.sensing.disparity import (
     LinearInverseDisparity,
     TangentDisparity,
 )
-from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.metric_depth import PlainDepth, StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import UNITS, CalibrationRecord, Sensor
@@ -51,6 +50,9 @@ _MOST_MM, _MOST_PX, _MOST_DISTORTION = 1e4, 1e5, 1e3
 SENSOR_FILE = "sensor.json"
 CORRECTION_FILE = "correction.npz"
 REFERENCE_FILE = "reference.npz"
+_SHIFT = "infrared_shift_px"
+_MOST_SHIFT_PX = 20
+"""Four times the half of a sensor's matching window, by which its depth image is shifted."""
 
 
 def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Sensor:
@@ -169,6 +171,20 @@ def file_beside(root: JsonObject, key: str) -> str:
     if "/" in name or "\\" in name or ".." in name:
         raise root.fail(key, "must name a file beside sensor.json")
     return name
+
+
+def infrared_shift_px(root: JsonObject) -> tuple[float, float]:
+    """Return by how much infrared pictures are shifted against the depth image (see `DotPictures`).
+
+    Raises
+    ------
+    InputError
+        When the key holds anything else.
+    """
+    if not root.has(_SHIFT):
+        return 0.0, 0.0
+    u, v = root.numbers(_SHIFT, 2, -_MOST_SHIFT_PX, _MOST_SHIFT_PX)
+    return u, v
 
 
 def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
@@ -347,7 +363,7 @@ def write_sensor(
     sensor: Sensor,
     folder: Path,
     times: FrameTimes | None = None,
-    reference: InfraredReference | None = None,
+    dots: DotPictures | None = None,
 ) -> None:
     """Write a sensor into an existing folder.
 
@@ -357,8 +373,8 @@ def write_sensor(
     folder
     times : optional
         Of the frames beside it.
-    reference : optional
-        The pattern of the dots in the infrared pictures beside it.
+    dots : optional
+        The infrared pictures beside it, of which pattern and shift are written.
 
     Raises
     ------
@@ -374,9 +390,11 @@ def write_sensor(
     values = sensor_json(sensor, name)
     if times is not None:
         values["frame_times_ms"] = {"depth": times.depth_ms, "color": times.color_ms}
-    if reference is not None:
+    if dots is not None and any(dots.shift_px):
+        values[_SHIFT] = dots.shift_px
+    if dots is not None and dots.reference is not None:
         values["infrared_reference"] = REFERENCE_FILE
-        reference.save(folder / REFERENCE_FILE)
+        dots.reference.save(folder / REFERENCE_FILE)
     text = json.dumps(values, indent=1, ensure_ascii=False)
     write_private(folder / SENSOR_FILE, f"{text}\n".encode())
 

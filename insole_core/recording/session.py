@@ -172,16 +172,25 @@ class DotPictures:
     Parameters
     ----------
     pictures
-        None where they cannot be used.
+        None where they cannot be read.
     reference
-        None without one.
-    fault
-        Why they cannot be used, a sentence; empty where they can.
+        None without one, or where it cannot be read.
+    shift_px : (u, v)
+        What the depth image shows at a pixel, the pictures show so much further right and down.
+    picture_fault, pattern_fault
+        Why pictures or pattern cannot be used, a sentence; empty where they can.
     """
 
     pictures: InfraredPictures | None = None
     reference: InfraredReference | None = None
-    fault: str = ""
+    shift_px: tuple[float, float] = (0.0, 0.0)
+    picture_fault: str = ""
+    pattern_fault: str = ""
+
+    @property
+    def fault(self) -> str:
+        """Why they cannot be used, a sentence; empty where they can."""
+        return self.picture_fault or self.pattern_fault
 
 
 @dataclass(frozen=True)

@@ -172,7 +172,7 @@ def _write_parts(
 def _write_view(view: View, folder: Path) -> None:
     folder.mkdir(parents=True)
     dots = view.dots
-    write_sensor(view.sensor, folder, view.times, None if dots is None else dots.reference)
+    write_sensor(view.sensor, folder, view.times, dots)
     for index in range(view.depth_count):
         (folder / f"depth_{index:03d}.png").write_bytes(encode_png(view.read_depth(index)))
     for index in range(view.color_count):

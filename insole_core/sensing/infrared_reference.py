@@ -134,6 +134,30 @@ class InfraredReference:
             beside.write_bytes(pack_arrays(arrays))
 
 
+def on_depth_pixels(picture: FloatArray, shift_px: tuple[float, float]) -> FloatArray:
+    """Move an infrared picture that is shifted against the depth image onto the pixels of that.
+
+    Parameters
+    ----------
+    picture : (height, width) float64
+    shift_px : (u, v)
+        What the depth image shows at a pixel, the picture shows so much further right and down.
+
+    Returns
+    -------
+    (height, width) float64
+        0 where the picture does not reach.
+    """
+    if not any(shift_px):
+        return picture
+    there = np.array([[1.0, 0.0, shift_px[0]], [0.0, 1.0, shift_px[1]]])
+    return np.asarray(
+        cv2.warpAffine(
+            picture, there, picture.shape[::-1], flags=cv2.INTER_CUBIC | cv2.WARP_INVERSE_MAP
+        )
+    )
+
+
 def distorted(raw: FloatArray, correction: DisparityCorrection) -> FloatArray:
     """Add a distortion to ideal raw numbers (480, 640); inverse of `correction.corrected`."""
     seen = raw
