@@ -33,7 +33,11 @@ from insole_core.reconstruct.result import (
 from insole_core.reconstruct.shared_views import Register
 from insole_core.reconstruct.views.coloring import color_points
 from insole_core.reconstruct.views.foot_coverage import coverage_of
-from insole_core.reconstruct.views.infrared_pictures import infrared_view, infrared_warnings
+from insole_core.reconstruct.views.infrared_pictures import (
+    infrared_view,
+    infrared_warnings,
+    unused_pictures,
+)
 from insole_core.reconstruct.views.measured_view import (
     MeasuredView,
     measure_as_thesis,
@@ -228,8 +232,6 @@ class _Fused:
     def _infrared(self, view: View) -> InfraredView | None:
         if self.depth == "chip":
             return None
-        if view.dots is not None and view.dots.fault:
-            self.faults[view.name] = view.dots.fault
         try:
             return infrared_view(view)
         except InputError as error:
@@ -238,17 +240,15 @@ class _Fused:
 
     def join(self, parts: list[PreparedView], progress: Progress) -> Surface:
         if self.depth == "infrared" and all(part.infrared is None for part in parts):
-            raise ReconstructionError(
-                "No view has infrared pictures and a pattern of dots that can be used ({reasons}); "
-                "use the sensors' own depth (chip).",
-                reasons=joined(self.faults.values(), "; ") or "none was recorded",
-            )
+            raise _nothing_usable(unused_pictures(self.faults, {}))
         surface = fuse(parts, progress)
+        if self.depth == "infrared" and not any(use.used for use in surface.infrared.values()):
+            raise _nothing_usable(unused_pictures(self.faults, surface.infrared))
         # What was computed from them meanwhile is larger than they are, and is not needed again.
         return replace(
             surface,
             depth_views=tuple(replace(part.measured) for part in parts),
-            warnings=tuple(infrared_warnings(self.faults, surface.infrared_shares)),
+            warnings=tuple(infrared_warnings(self.faults, surface.infrared)),
         )
 
 
@@ -302,7 +302,7 @@ class _Chain(Generic[_Part]):
             surface.correction_mm,
             coverage,
             surface.depth_views,
-            surface.infrared_shares,
+            surface.infrared,
         )
 
     def _misfits(self, results: list[ViewResult], surface: Surface) -> list[str]:
@@ -329,6 +329,14 @@ class _Chain(Generic[_Part]):
                 measured, registration.sensor2reference, volume_of_interest(self.session)
             )
         return part, used_result(measured, registration, self.way.note(part))
+
+
+def _nothing_usable(reasons: list[Message]) -> ReconstructionError:
+    return ReconstructionError(
+        "No view has infrared pictures that can be used; use the sensors' own depth (chip). "
+        "{reasons}",
+        reasons=joined(reasons, " ") if reasons else "None were recorded.",
+    )
 
 
 def _check_any_used(

@@ -11,6 +11,7 @@ from insole_core.errors import ReconstructionError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.reconstruct.fusion.depth_view import DepthView
+from insole_core.reconstruct.fusion.infrared_surface import InfraredUse
 from insole_core.reconstruct.markers.marker_observation import MarkerObservation, Registration
 from insole_core.reconstruct.poses.pose_quality import PoseRefusedError
 from insole_core.sensing.family import SensorFamily
@@ -136,9 +137,9 @@ class Surface:
         little in common. Fused method only.
     depth_views
         The readings of every used view in the volume of interest; fused method only.
-    infrared_shares
-        On which share of what a view sees of the foot its infrared picture was trusted, by the name
-        of the view; empty where none was used.
+    infrared
+        What became of the infrared pictures that were compared, by the name of the view. The
+        deviations are those before it.
     warnings
         A sentence each.
     """
@@ -148,7 +149,7 @@ class Surface:
     correction_mm: FloatArray | None = None
     view_gaps_mm: FloatArray | None = None
     depth_views: tuple[DepthView, ...] = ()
-    infrared_shares: dict[str, float] = field(default_factory=dict)
+    infrared: dict[str, InfraredUse] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
 
 
@@ -174,7 +175,7 @@ class Reconstruction:
         Measured share of every region of the foot, 0 to 1.
     depth_views
         The readings of every used view in the volume of interest; fused method only.
-    infrared_shares
+    infrared
         As of `Surface`.
     """
 
@@ -186,7 +187,7 @@ class Reconstruction:
     correction_mm: FloatArray | None = None
     coverage: dict[str, float] = field(default_factory=dict)
     depth_views: tuple[DepthView, ...] = ()
-    infrared_shares: dict[str, float] = field(default_factory=dict)
+    infrared: dict[str, InfraredUse] = field(default_factory=dict)
 
 
 def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[str, Any]:
@@ -201,14 +202,13 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
     Returns
     -------
     dict
-        How much infrared pictures were trusted, where there were any; views with their markers,
-        size of the mesh, seconds, coverage, how far the correction moved
+        Whether infrared pictures were used and how much they were trusted, where any were compared;
+        views with their markers, size of the mesh, seconds, coverage, how far the correction moved
         the surface, and warnings; lengths in mm.
     """
-    shares = reconstruction.infrared_shares
-    depth = {"depth": {"source": "infrared", "trusted_share": shares}} if shares else {}
+    depth = _depth_json(reconstruction.infrared)
     return {
-        **depth,
+        **({} if depth is None else {"depth": depth}),
         "views": [_view_json(view) for view in reconstruction.views],
         "vertices": len(reconstruction.mesh.vertices),
         "triangles": len(reconstruction.mesh.triangles),
@@ -216,6 +216,17 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
         "coverage": reconstruction.coverage,
         "correction_mm": _correction_json(reconstruction.correction_mm),
         "warnings": list(reconstruction.warnings),
+    }
+
+
+def _depth_json(infrared: dict[str, InfraredUse]) -> dict[str, Any] | None:
+    """Return where the surface comes from; None where no infrared picture was compared."""
+    if not infrared:
+        return None
+    return {
+        "source": "infrared" if any(use.used for use in infrared.values()) else "chip",
+        "trusted_share": {name: use.share for name, use in infrared.items()},
+        "deviation_of": "chip",
     }
 
 

@@ -87,7 +87,7 @@ def fuse(
     readings = [view.reading for view in views]
     coarse = _mesh(views, limits)
     progress.step(0.4, "Refining the surface")
-    refined, shares = by_infrared(refine(coarse, readings, limits.refinement), views)
+    refined, uses = by_infrared(refine(coarse, readings, limits.refinement), views)
     rims = _rims(views)
     mesh = drawn_to(refined.mesh, rims)
     kept = _is_supported(mesh, views, limits)
@@ -104,7 +104,7 @@ def fuse(
         deviation_mm=refined.deviation_mm[kept][ends].mean(1),
         correction_mm=None if moved_mm is None else moved_mm[ends].mean(1),
         view_gaps_mm=refined.view_gaps_mm,
-        infrared_shares=shares,
+        infrared=uses,
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
@@ -19,9 +21,28 @@ LEAST_SHARE = 0.5
 """A picture that agrees with the pattern on less of the foot is of another pose or device."""
 
 
+@dataclass(frozen=True)
+class InfraredUse:
+    """What became of the infrared picture of a view.
+
+    Parameters
+    ----------
+    share
+        Of the foot's pixels, on which it was trusted last.
+    used
+        Whether it has changed the surface.
+    """
+
+    share: float
+    used: bool
+
+
+_UNKNOWN = InfraredUse(1.0, used=True)
+
+
 def by_infrared(
     surface: RefinedSurface, views: list[PreparedView]
-) -> tuple[RefinedSurface, dict[str, float]]:
+) -> tuple[RefinedSurface, dict[str, InfraredUse]]:
     """Refine a surface by the infrared pictures of its views.
 
     Parameters
@@ -32,24 +53,27 @@ def by_infrared(
 
     Returns
     -------
-    surface, shares
-        The share of the foot's pixels on which each picture was trusted, by view; a picture that is
-        trusted on less than `LEAST_SHARE` was not used.
+    surface, uses
+        By view. A picture that is trusted on less than `LEAST_SHARE` of the first surface is not
+        used; what it says of later ones, which the others have changed, does not decide.
     """
     seeing = [(view, view.infrared) for view in views if view.infrared is not None]
-    shares: dict[str, float] = {}
+    uses: dict[str, InfraredUse] = {}
 
     def observed(mesh: TriangleMesh, normals: FloatArray, caster: RayCaster) -> list[Observations]:
         def compare(seen: tuple[PreparedView, InfraredView]) -> Evidence:
             view, infrared = seen
             return infrared_evidence(infrared, view.reading, mesh, normals, caster)
 
-        used = [seen for seen in seeing if shares.get(seen[0].reading.name, 1.0) >= LEAST_SHARE]
-        found = for_views(compare, used)
-        for (view, _), evidence in zip(used, found, strict=True):
-            shares[view.reading.name] = evidence.share
-        return [evidence.observations for evidence in found if evidence.share >= LEAST_SHARE]
+        asked = [seen for seen in seeing if uses.get(seen[0].reading.name, _UNKNOWN).used]
+        observations = []
+        for (view, _), evidence in zip(asked, for_views(compare, asked), strict=True):
+            name, share = view.reading.name, evidence.share
+            uses[name] = InfraredUse(share, used=name in uses or share >= LEAST_SHARE)
+            if uses[name].used:
+                observations.append(evidence.observations)
+        return observations
 
     if not seeing:
-        return surface, shares
-    return refine_near(surface, observed), shares
+        return surface, uses
+    return refine_near(surface, observed), uses

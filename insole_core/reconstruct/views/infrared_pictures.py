@@ -9,8 +9,9 @@ import numpy as np
 from insole_core.errors import InputError
 from insole_core.messages import Message
 from insole_core.reconstruct.fusion.infrared_evidence import InfraredView
-from insole_core.reconstruct.fusion.infrared_surface import LEAST_SHARE
+from insole_core.reconstruct.fusion.infrared_surface import InfraredUse
 from insole_core.recording.session import View
+from insole_core.sensing.infrared_reference import on_depth_pixels
 
 _GREATEST = 1023
 _SATURATED_SHARE = 0.02
@@ -20,20 +21,24 @@ _TOLD_SHARE = 0.9
 
 
 def infrared_view(view: View) -> InfraredView | None:
-    """Average the infrared pictures of a view.
+    """Average the infrared pictures of a view, on the pixels of its depth image.
 
     Returns
     -------
     InfraredView or None
-        None where the view was recorded without, or the session says why not.
+        None where the view was recorded without.
 
     Raises
     ------
     InputError
-        When they are black or saturated.
+        When pictures or pattern cannot be used; as the end of a sentence on the view.
     """
     dots = view.dots
-    if dots is None or dots.pictures is None or dots.reference is None:
+    if dots is None:
+        return None
+    if dots.fault:
+        raise InputError(dots.fault)
+    if dots.pictures is None or dots.reference is None:
         return None
     total = np.zeros((view.sensor.depth_camera.height, view.sensor.depth_camera.width), np.float64)
     for index in range(dots.pictures.count):
@@ -42,54 +47,75 @@ def infrared_view(view: View) -> InfraredView | None:
     if (mean >= _GREATEST).mean() > _SATURATED_SHARE:
         raise InputError(
             "its infrared pictures are saturated; lower their brightness, or keep sunlight off the "
-            "foot"
+            "foot."
         )
     if np.percentile(mean, 99) < _BLACK:
-        raise InputError("its infrared pictures are black; see that the emitter is on")
-    return InfraredView(mean.astype(np.float32), dots.reference)
+        raise InputError("its infrared pictures are black; see that the emitter is on.")
+    placed = on_depth_pixels(mean, dots.shift_px)
+    return InfraredView(placed.astype(np.float32), dots.reference)
 
 
-def infrared_warnings(faults: Mapping[str, str], shares: Mapping[str, float]) -> list[str]:
-    """Tell where infrared pictures were not used, or not trusted on all of the foot.
+def unused_pictures(
+    faults: Mapping[str, str], infrared: Mapping[str, InfraredUse]
+) -> list[Message]:
+    """Tell of each view whose infrared pictures were not used why.
 
     Parameters
     ----------
     faults
-        Why the pictures of a view could not be used, by its name.
-    shares
+        Why the pictures of a view could not be compared, by its name.
+    infrared
         As of `by_infrared`.
 
     Returns
     -------
-    list of str
+    list of Message
         A sentence each.
     """
-    told: list[str] = [
-        Message(
-            "View {view}: {fault}; the sensor's own depth was used.",
-            view=name,
-            fault=fault.removesuffix("."),
-        )
+    told = [
+        Message("View {view}: {warning}", view=name, warning=fault)
         for name, fault in faults.items()
     ]
-    for name, share in shares.items():
-        if share < LEAST_SHARE:
-            told.append(
-                Message(
-                    "View {view}: its infrared pictures show the pattern on {share:.0%} of the "
-                    "foot only, so they are of another moment, pose or sensor, or the pattern has "
-                    "drifted; the sensor's own depth was used.",
-                    view=name,
-                    share=share,
-                )
-            )
-        elif share < _TOLD_SHARE:
-            told.append(
-                Message(
-                    "View {view}: its infrared pictures were trusted on {share:.0%} of the foot; "
-                    "on the rest the sensor's own depth was used.",
-                    view=name,
-                    share=share,
-                )
-            )
+    told += [
+        Message(
+            "View {view}: its infrared pictures show the pattern on {share:.0%} of the foot only, "
+            "so they are of another moment, pose or sensor, or the pattern has drifted.",
+            view=name,
+            share=use.share,
+        )
+        for name, use in infrared.items()
+        if not use.used
+    ]
+    return told
+
+
+def infrared_warnings(
+    faults: Mapping[str, str], infrared: Mapping[str, InfraredUse]
+) -> list[Message]:
+    """Tell where infrared pictures were not used, or not trusted on all of the foot.
+
+    Parameters
+    ----------
+    faults, infrared
+        As of `unused_pictures`.
+
+    Returns
+    -------
+    list of Message
+        A sentence or two each.
+    """
+    told = [
+        Message("{reason} The sensor's own depth was used.", reason=reason)
+        for reason in unused_pictures(faults, infrared)
+    ]
+    told += [
+        Message(
+            "View {view}: its infrared pictures were trusted on {share:.0%} of the foot; on the "
+            "rest the sensor's own depth was used.",
+            view=name,
+            share=use.share,
+        )
+        for name, use in infrared.items()
+        if use.used and use.share < _TOLD_SHARE
+    ]
     return told

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 import trimesh
 
-from insole_core.errors import ReconstructionError
+from insole_core.errors import InputError, ReconstructionError
 from insole_core.geometry.arrays import FloatArray, RawArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct import Reconstruction, reconstruct, report_json
+from insole_core.reconstruct.fusion import infrared_surface
+from insole_core.reconstruct.fusion.infrared_evidence import Evidence, infrared_evidence
+from insole_core.reconstruct.views.infrared_pictures import infrared_view, infrared_warnings
 from insole_core.recording.images import encode_png
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import DotPictures, InfraredPictures, Session, View
@@ -27,16 +34,18 @@ from insole_core.recording.writer import write_session
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.infrared_reference import InfraredReference, ReferenceRecord
 from insole_core.simulate.dot_pattern import DotPattern
+from insole_studio.texts import translation_into
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 FINE = 8
+DISTORTION_RAW = 2 * np.sin(np.mgrid[:480, :640] / 150).sum(0)
 
 
 @cache
 def pattern_of(serial: str, seed: int) -> InfraredReference:
-    """The dots of a device without distortion, as its camera sees them."""
+    """The dots of a device, as its camera sees them, and its distortion."""
     pattern = DotPattern.draw(np.random.default_rng(seed), px_per_dot=9.0).seen()
-    correction = DisparityCorrection(np.zeros((480, 640), np.float32))
+    correction = DisparityCorrection(DISTORTION_RAW.astype(np.float32))
     return InfraredReference(pattern, 0, FINE, correction, ReferenceRecord(serial))
 
 
@@ -49,7 +58,9 @@ def picture_of(view: View, truth: TriangleMesh, pose: FloatArray, seed: int) -> 
     points = np.einsum("nk,nkc->nc", hits.weights, corners)
     raw = np.full((480, 640), np.nan)
     raw.flat[hits.ray] = view.sensor.disparity.raw((points - pose[:3, 3]) @ pose[:3, 2])
-    dots, _ = pattern_of(view.sensor.serial, seed).shown(raw)
+    v, u = np.mgrid[:480, :640].astype(np.float32)
+    across = u * FINE + np.nan_to_num(raw + DISTORTION_RAW, nan=-1e6).astype(np.float32)
+    dots = cv2.remap(pattern_of(view.sensor.serial, seed).pattern, across, v, cv2.INTER_LINEAR)
     speckle = np.random.default_rng(seed).gamma(0.2**-2, 0.2**2, dots.shape)
     return np.asarray(np.clip(8 + 60 * dots * speckle, 0, 1023), np.uint16)
 
@@ -101,10 +112,11 @@ def test_infrared_pictures_bring_the_foot_nearer_the_truth(
     made = reconstruct(dotted)
 
     assert mean_error_mm(made, truth) < 0.95 * mean_error_mm(by_chip, truth)
-    assert set(made.infrared_shares) == {view.name for view in dotted.views}
-    assert min(made.infrared_shares.values()) > 0.9
     depth = report_json(made, 1.0)["depth"]
-    assert depth == {"source": "infrared", "trusted_share": made.infrared_shares}
+    assert depth["source"] == "infrared"
+    assert set(depth["trusted_share"]) == {view.name for view in dotted.views}
+    assert min(depth["trusted_share"].values()) > 0.9
+    assert depth["deviation_of"] == "chip"
 
 
 def test_by_chip_they_change_nothing(dotted: Session, by_chip: Reconstruction) -> None:
@@ -135,8 +147,84 @@ def test_pictures_that_cannot_be_used_are_told_and_change_nothing(
     assert f"View {top.name}: its infrared pictures show the pattern on" in told
 
 
+def test_pictures_of_other_sensors_are_no_infrared(
+    dotted: Session, by_chip: Reconstruction
+) -> None:
+    views = []
+    for view in dotted.views:
+        assert view.dots is not None
+        foreign = pattern_of(view.sensor.serial, 17)
+        views.append(replace(view, dots=replace(view.dots, reference=foreign)))
+    foreign_ones = replace(dotted, views=tuple(views))
+
+    made = reconstruct(foreign_ones)
+    np.testing.assert_array_equal(made.mesh.vertices, by_chip.mesh.vertices)
+    assert report_json(made, 1.0)["depth"]["source"] == "chip"
+
+    with pytest.raises(ReconstructionError, match="that can be used") as refused:
+        reconstruct(foreign_ones, depth="infrared")
+    assert str(refused.value).count("show the pattern on") == 3
+    assert ".;" not in str(refused.value)
+
+
+def test_a_picture_that_has_moved_the_surface_is_not_told_as_unused(
+    dotted: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left, *others = dotted.views
+    shares = iter((0.6, 0.4))
+
+    def doubted(*given: Any) -> Evidence:
+        return replace(infrared_evidence(*given), share=next(shares))
+
+    monkeypatch.setattr(infrared_surface, "infrared_evidence", doubted)
+    bare = tuple(replace(view, dots=None) for view in others)
+    made = reconstruct(replace(dotted, views=(left, *bare)), depth="infrared")
+
+    assert report_json(made, 1.0)["depth"]["source"] == "infrared"
+    (told,) = [warning for warning in made.warnings if "infrared" in warning]
+    assert "were trusted on 40% of the foot" in told
+
+
+def test_a_shifted_picture_is_moved_onto_the_depth_image(dotted: Session) -> None:
+    """The depth image lies (4.8, 3.9) px left of and above the infrared picture of a device."""
+    v, u = np.mgrid[:480, :640]
+
+    def spot(at: tuple[float, float]) -> FloatArray:
+        return 900 * np.exp(-((u - at[0]) ** 2 + (v - at[1]) ** 2) / (2 * 60**2))
+
+    view = with_picture(
+        dotted.views[0],
+        spot((304.8, 203.9)).astype(np.uint16),
+        pattern_of(dotted.views[0].sensor.serial, 0),
+    )
+    assert view.dots is not None
+    seen = infrared_view(replace(view, dots=replace(view.dots, shift_px=(4.8, 3.9))))
+
+    assert seen is not None
+    inside = slice(20, 460), slice(20, 620)
+    assert np.abs(seen.picture - spot((300, 200)))[inside].max() < 2
+
+
+def test_why_pictures_are_not_used_is_said_in_the_language_of_the_user(written: Path) -> None:
+    view = read_session(written).views[0]
+    assert view.dots is not None
+    black = with_picture(view, np.zeros((480, 640), np.uint16), pattern_of("SOMEBODY", 3))
+    with pytest.raises(InputError) as refused:
+        infrared_view(black)
+    with kept(written / "views" / view.name) as folder:
+        _without(folder)
+        dots = read_session(written).views[0].dots
+    assert dots is not None
+    faults = {"left": refused.value.message, "top": dots.fault}
+
+    first, second = map(translation_into("sv"), infrared_warnings(faults, {}))
+    assert first.startswith("Vyn vänster: dess infraröda bilder är svarta; se till att")
+    assert "reference.npz saknas, men sensor.json anger den" in second
+    assert all(told.endswith(". Sensorns eget djup användes.") for told in (first, second))
+
+
 def test_without_any_infrared_is_refused(session: Session) -> None:
-    with pytest.raises(ReconstructionError, match="No view has infrared pictures"):
+    with pytest.raises(ReconstructionError, match=r"No view has infrared .* None were recorded\."):
         reconstruct(session, depth="infrared")
 
 
@@ -158,9 +246,24 @@ def _without(view: Path) -> None:
     (view / "reference.npz").unlink()
 
 
-def _shifted(view: Path) -> None:
+def _far_shifted(view: Path) -> None:
+    _shift(view, 400)
+
+
+def _shift(view: Path, px: float) -> None:
     values = json.loads((view / "sensor.json").read_text())
-    (view / "sensor.json").write_text(json.dumps({**values, "infrared_shift_px": [4, 4]}))
+    (view / "sensor.json").write_text(json.dumps({**values, "infrared_shift_px": [px, 3.9]}))
+
+
+@contextmanager
+def kept(view: Path) -> Iterator[Path]:
+    """Let the files of a view be spoilt for a while."""
+    contents = {path: path.read_bytes() for path in view.iterdir()}
+    try:
+        yield view
+    finally:
+        for path, content in contents.items():
+            path.write_bytes(content)
 
 
 @pytest.fixture(scope="module")
@@ -197,21 +300,34 @@ def test_pictures_and_pattern_are_read_as_they_were_written(dotted: Session, wri
         (_half, "reference.npz holds no readable infrared reference pattern"),
         (_foreign, "is the pattern of sensor SOMEBODY"),
         (_without, "reference.npz is missing"),
-        (_shifted, "infrared_shift_px"),
+        (_far_shifted, "infrared_shift_px"),
     ],
 )
 def test_what_is_wrong_with_infrared_spoils_no_session(
     spoil: Callable[[Path], None], sentence: str, written: Path
 ) -> None:
-    view = written / "views" / read_session(written).views[0].name
-    kept = {path: path.read_bytes() for path in view.iterdir()}
-    try:
-        spoil(view)
-        dots = read_session(written).views[0].dots
-    finally:
-        for path, content in kept.items():
-            path.write_bytes(content)
+    with kept(written / "views" / read_session(written).views[0].name) as folder:
+        spoil(folder)
+        view = read_session(written).views[0]
 
-    assert dots is not None
-    assert dots.reference is None
-    assert sentence in dots.fault
+    assert view.dots is not None
+    assert sentence in view.dots.fault
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        infrared_view(view)
+
+
+def test_a_copy_keeps_what_is_beside_a_fault(written: Path, tmp_path: Path) -> None:
+    with kept(written / "views" / read_session(written).views[0].name) as folder:
+        _foreign(folder)
+        _shift(folder, 4.8)
+        session = read_session(written)
+        write_session(session, tmp_path / "copy")
+    before, after = session.views[0].dots, read_session(tmp_path / "copy").views[0].dots
+
+    assert before is not None
+    assert after is not None
+    assert after.reference is not None
+    assert after.reference.record.serial == "SOMEBODY"
+    assert after.shift_px == before.shift_px == (4.8, 3.9)
+    assert after.pictures is not None
+    assert "is the pattern of sensor SOMEBODY" in after.fault
