@@ -16,6 +16,7 @@ from insole_core.json_object import JsonObject
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import read_picture
 from insole_core.regular_file import is_folder
+from insole_core.sensing.infrared_reference import on_depth_pixels
 
 _NAME = re.compile(r"infrared_(\d{2,4})\.png")
 _SHAPE = (480, 640)
@@ -46,7 +47,12 @@ class InfraredWall:
 
 
 def read_infrared_walls(
-    folder: Path, serial: str = "", progress: Progress = SILENT
+    folder: Path,
+    serial: str = "",
+    progress: Progress = SILENT,
+    *,
+    shift_px: tuple[float, float] = (0.0, 0.0),
+    most: int | None = None,
 ) -> list[InfraredWall]:
     """Read ``infrared_00.png …`` and ``depth_00.png …`` of a folder.
 
@@ -54,6 +60,16 @@ def read_infrared_walls(
     ----------
     serial
         Of the device whose walls are expected; a ``sensor.json`` beside the pictures names theirs.
+    progress
+    shift_px
+        As of `DotPictures`.
+    most
+        Number of walls to read; None for all.
+
+    Returns
+    -------
+    list of InfraredWall
+        In the order of their numbers, at least one.
 
     Raises
     ------
@@ -77,9 +93,9 @@ def read_infrared_walls(
             folder=folder,
         )
     walls = []
-    for done, match in enumerate(matches):
-        progress.step(done / len(matches), "Reading {file}", file=match[0])
-        walls.append(_read_wall(folder, match[0], f"depth_{match[1]}.png"))
+    for done, match in enumerate(matches[:most]):
+        progress.step(done / len(matches[:most]), "Reading {file}", file=match[0])
+        walls.append(_read_wall(folder, match[0], f"depth_{match[1]}.png", shift_px))
     return walls
 
 
@@ -103,7 +119,9 @@ def _check_device(folder: Path, serial: str) -> None:
         )
 
 
-def _read_wall(folder: Path, infrared: str, depth: str) -> InfraredWall:
+def _read_wall(
+    folder: Path, infrared: str, depth: str, shift_px: tuple[float, float]
+) -> InfraredWall:
     path = folder / infrared
     picture = _read_infrared(path)
     if not (folder / depth).exists():
@@ -125,7 +143,7 @@ def _read_wall(folder: Path, infrared: str, depth: str) -> InfraredWall:
             "{path} is almost dark; uncover the emitter and capture the wall again.", path=path
         )
     capture = capture_from_frames(infrared, [read_depth(folder / depth)])
-    return InfraredWall(capture, relative_brightness(picture))
+    return InfraredWall(capture, relative_brightness(on_depth_pixels(picture, shift_px)))
 
 
 def _read_infrared(path: Path) -> FloatArray:

@@ -7,7 +7,7 @@ distortion, with which the pattern is fitted again.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 
@@ -18,7 +18,12 @@ from insole_core.calibration.infrared.fine_pattern import FINE, FinePattern
 from insole_core.calibration.infrared.infrared_walls import InfraredWall
 from insole_core.calibration.walls.captures import WallCapture
 from insole_core.calibration.walls.distortion import calibrate_distortion
-from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
+from insole_core.calibration.walls.wall_plane import (
+    NoWallError,
+    WallFit,
+    fit_wall,
+    plane_rows,
+)
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 from insole_core.messages import Message, joined
@@ -29,6 +34,7 @@ from insole_core.sensing.infrared_reference import (
     InfraredReference,
     ReferenceRecord,
     distorted,
+    on_depth_pixels,
 )
 from insole_core.sensing.sensor import Sensor
 
@@ -40,6 +46,8 @@ _BLOCK_PX = 16
 _MATCHES = 2
 _LARGEST_STEP_RAW = 4.0
 _LEAST_LIKENESS, _LEAST_SHARE = 0.7, 0.5
+_BESIDE_PX = 0.25
+"""Where the slope of the pattern across the rows is taken."""
 _CLOSED_PX = 31
 """Smaller gaps in the depth of a wall show the wall as well."""
 _UNEVEN_RAW, _UNEVEN_SHARE = 6.0, 0.1
@@ -68,16 +76,28 @@ class LearntReference:
 class Drift:
     """How one wall differs from a reference pattern.
 
+    A shift along the rows that is the same on the whole wall, or grows evenly across it, moves the
+    chip's depth of the wall as well, by which the pattern is placed: a wall cannot show it. Drift
+    that has the pattern grow shows across the rows.
+
     Parameters
     ----------
     shift_px
-        Root mean square of its blocks' shifts.
+        Root mean square of its blocks' shifts along the rows.
+    down_px
+        That of the shifts of its rows of blocks across the rows, which depth does not know.
     likeness
         Median correlation of its blocks with the pattern.
     """
 
     shift_px: float
+    down_px: float
     likeness: float
+
+    @property
+    def drift_px(self) -> float:
+        """The larger of both shifts."""
+        return max(self.shift_px, self.down_px)
 
     @property
     def doubt(self) -> str:
@@ -88,11 +108,11 @@ class Drift:
                 "sensor, or no flat wall; else learn the reference again.",
                 likeness=self.likeness,
             )
-        if self.shift_px > _DRIFT_PX:
+        if self.drift_px > _DRIFT_PX:
             return Message(
                 "The pattern has drifted by {shift:.3f} px (at most {most} px); let the sensor "
                 "warm up, and learn the reference again.",
-                shift=self.shift_px,
+                shift=self.drift_px,
                 most=_DRIFT_PX,
             )
         return ""
@@ -151,21 +171,20 @@ def learn_reference(
             _capture(wall, raw, match)
             for wall, raw, match in zip(placed, raws, matches, strict=True)
         ]
-        alike = [match.likeness >= _LEAST_LIKENESS for match in matches]
+        left_out |= {
+            wall.name: Message("it shows another pattern than the other walls.")
+            for wall, match in zip(placed, matches, strict=True)
+            if match.likeness < _LEAST_LIKENESS
+        }
+        _check_walls(_without(left_out, placed), left_out)
         found = calibrate_distortion(
-            [capture for capture, good in zip(captures, alike, strict=True) if good],
+            [capture for capture in captures if capture.name not in left_out],
             sensor.depth_camera,
             sensor.disparity,
             serial=sensor.serial,
         )
-        left_out |= found.left_out | {
-            wall.name: Message(
-                "{capture} shows another pattern than the other walls", capture=wall.name
-            )
-            for wall, good in zip(placed, alike, strict=True)
-            if not good
-        }
-        placed = [wall for wall in placed if wall.name not in left_out]
+        left_out |= found.left_out
+        placed = _without(left_out, placed)
         _check_walls(placed, left_out)
         correction = found.correction
         residual_raw = _rms_raw(captures, placed, correction)
@@ -202,10 +221,19 @@ def find_drift(wall: InfraredWall, sensor: Sensor, reference: InfraredReference)
             serial=sensor.serial,
         )
     placed = _place(wall, sensor)
-    match = _match(placed, reference.distorted(placed.ideal_raw), reference)
-    known = np.isfinite(match.shift_raw)
-    shift_raw = float(np.sqrt(np.mean(match.shift_raw[known] ** 2))) if known.any() else np.inf
-    return Drift(shift_raw / RAW_PER_PX, match.likeness)
+    raw = reference.distorted(placed.ideal_raw)
+    match = _match(placed, raw, reference)
+    return Drift(
+        _rms(match.shift_raw) / RAW_PER_PX,
+        _rms(_shifts_down_px(placed, raw, match, reference)),
+        match.likeness,
+    )
+
+
+def _rms(values: FloatArray) -> float:
+    """Return the root mean square of what is known; infinite without any."""
+    known = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(known**2))) if known.size else float("inf")
 
 
 def _no_correction() -> DisparityCorrection:
@@ -214,6 +242,10 @@ def _no_correction() -> DisparityCorrection:
 
 def _seen_raw(ideal_raw: FloatArray, correction: DisparityCorrection | None) -> FloatArray:
     return ideal_raw if correction is None else distorted(ideal_raw, correction)
+
+
+def _without(left_out: Collection[str], walls: Sequence[_Wall]) -> list[_Wall]:
+    return [wall for wall in walls if wall.name not in left_out]
 
 
 def _placed(
@@ -225,21 +257,24 @@ def _placed(
         progress.step(done / len(walls), "Finding the wall in {capture}", capture=wall.depth.name)
         try:
             placed.append(_place(wall, sensor))
-        except CalibrationError as error:
-            left_out[wall.depth.name] = str(error)
+        except NoWallError as error:
+            left_out[wall.depth.name] = error.reason
     _check_walls(placed, left_out)
     return placed, left_out
 
 
 def _check_walls(walls: Sequence[_Wall], left_out: dict[str, str]) -> None:
     if len(walls) < LEAST_WALLS:
-        reasons = joined(left_out.values(), "; ")
+        reasons = (
+            Message("{what}: {reason}", what=name, reason=reason)
+            for name, reason in left_out.items()
+        )
         raise CalibrationError(
             "Only {count} walls can be used, but the pattern needs {least} or more at different "
-            "distances; capture more flat walls ({reasons}).",
+            "distances; capture more flat walls. {reasons}",
             count=len(walls),
             least=LEAST_WALLS,
-            reasons=reasons or "none was left out",
+            reasons=joined(reasons, " ") if left_out else "None was left out.",
         )
     distances = [1 / wall.fit.plane[2] for wall in walls]
     if max(distances) < _LEAST_RATIO * min(distances):
@@ -257,13 +292,13 @@ def _place(wall: InfraredWall, sensor: Sensor) -> _Wall:
     fit = fit_wall(capture, plane_rows(sensor.depth_camera), sensor.disparity)
     off = np.abs(fit.residual_raw[fit.wall])
     if (off > _UNEVEN_RAW).mean() > _UNEVEN_SHARE:
-        raise CalibrationError(
-            "{capture} shows no plane: {share:.0%} of it is off by more than {raw:.0f} raw units; "
+        reason = Message(
+            "it shows no plane, as {share:.0%} of it is off by more than {raw:.0f} raw units; "
             "capture a flat, empty wall.",
-            capture=name,
             share=(off > _UNEVEN_RAW).mean(),
             raw=_UNEVEN_RAW,
         )
+        raise NoWallError(name, reason)
     kernel = np.ones((_CLOSED_PX, _CLOSED_PX), np.uint8)
     shown = cv2.morphologyEx(fit.wall.astype(np.uint8), cv2.MORPH_CLOSE, kernel) > 0
     return _Wall(name, wall.brightness, fit, np.where(shown, fit.expected_raw, np.nan))
@@ -287,22 +322,54 @@ def _match(wall: _Wall, raw: FloatArray, reference: InfraredReference) -> _Match
         moved = raw + cv2.resize(shift, (width, height), interpolation=cv2.INTER_CUBIC)
         shown, slope = reference.shown(moved)
         columns = [np.asarray(shown, float), np.ones_like(weight), np.asarray(slope, float)]
-        normal = np.stack(
-            [np.stack([_sums(weight * a * b) for b in columns], -1) for a in columns], -2
-        ) + 1e-6 * np.eye(3)
-        rhs = np.stack([_sums(weight * a * picture) for a in columns], -1)
-        gain, offset, moving = np.moveaxis(np.linalg.solve(normal, rhs[..., None])[..., 0], -1, 0)
+        (gain, offset, moving), rhs = _fitted(weight, columns, picture)
         step = moving / np.where(np.abs(gain) > 0.1, gain, np.inf)
         shift += np.clip(step, -_LARGEST_STEP_RAW, _LARGEST_STEP_RAW)
     area = _sums(weight)
     total = _sums(weight * picture**2)
-    left = total - np.einsum("vuk,vuk->vu", np.stack([gain, offset, moving], -1), rhs)
+    left = total - np.einsum("kvu,kvu->vu", np.stack([gain, offset, moving]), rhs)
     variance = total - _sums(weight * picture) ** 2 / np.maximum(area, 1)
     likeness = np.sqrt(np.clip(1 - left / np.maximum(variance, 1e-9), 0, 1))
     filled = area > _LEAST_SHARE * _BLOCK_PX**2
     alike = filled & (likeness > _LEAST_LIKENESS) & (gain > 0)
     middle = float(np.median(likeness[filled])) if filled.any() else 0.0
     return _Match(np.where(alike, shift, np.nan), middle)
+
+
+def _shifts_down_px(
+    wall: _Wall, raw: FloatArray, match: _Match, reference: InfraredReference
+) -> FloatArray:
+    """Return by how much each row of blocks lies below the pattern, NaN = not alike."""
+    known = np.isfinite(match.shift_raw)
+    shift = np.where(known, match.shift_raw, 0.0)
+    weight = np.isfinite(raw).astype(float)
+    moved = raw + cv2.resize(shift, raw.shape[::-1], interpolation=cv2.INTER_CUBIC)
+    shown, slope = (np.asarray(image, float) for image in reference.shown(moved))
+    above, below = (on_depth_pixels(shown, (0.0, side * _BESIDE_PX)) for side in (-1, 1))
+    down = (above - below) / (2 * _BESIDE_PX)
+    (gain, _, _, moving), _ = _fitted(
+        weight, [shown, np.ones_like(weight), slope, down], wall.brightness.astype(float)
+    )
+    shifts = np.where(known, moving / np.where(gain > 0, gain, np.inf), np.nan)
+    rows = known.mean(1) > _LEAST_SHARE
+    return np.asarray(np.nanmedian(shifts[rows], axis=1))
+
+
+def _fitted(
+    weight: FloatArray, columns: Sequence[FloatArray], picture: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Explain every block of a picture by the columns (least squares).
+
+    Returns
+    -------
+    factors, rhs : (columns, rows, columns of blocks) float64
+    """
+    normal = np.stack(
+        [np.stack([_sums(weight * a * b) for b in columns], -1) for a in columns], -2
+    ) + 1e-6 * np.eye(len(columns))
+    rhs = np.stack([_sums(weight * a * picture) for a in columns], -1)
+    factors = np.asarray(np.linalg.solve(normal, rhs[..., None])[..., 0], float)
+    return np.moveaxis(factors, -1, 0), np.moveaxis(rhs, -1, 0)
 
 
 def _sums(image: FloatArray) -> FloatArray:

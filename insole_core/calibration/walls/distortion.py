@@ -19,7 +19,7 @@ from insole_core.calibration.walls.smooth_map import (
     solve_map,
     to_pixels,
 )
-from insole_core.calibration.walls.wall_plane import WallFit, fit_wall, plane_rows
+from insole_core.calibration.walls.wall_plane import NoWallError, WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
@@ -128,7 +128,7 @@ def calibrate_distortion(
     uneven = _uneven(blocks, solved, options)
     if uneven.any():
         left_out |= {
-            wall.capture.name: "it is not flat, or something stood before it"
+            wall.capture.name: "it is not flat, or something stood before it."
             for wall, bad in zip(walls, uneven, strict=True)
             if bad
         }
@@ -159,11 +159,13 @@ def _find_walls(
         progress.step(done / len(captures), "Finding the wall in {capture}", capture=capture.name)
         try:
             walls.append(fit_wall(capture, rows, disparity))
-        except CalibrationError as error:
-            left_out[capture.name] = str(error)
+        except NoWallError as error:
+            left_out[capture.name] = error.reason
+    if not captures:
+        raise CalibrationError("There are no captures; capture a flat wall.")
     if not walls:
-        reason = next(iter(left_out.values()), "There are no captures; capture a flat wall.")
-        raise CalibrationError(reason)
+        name, reason = next(iter(left_out.items()))
+        raise CalibrationError("{what}: {reason}", what=name, reason=reason)
     return walls, left_out
 
 

@@ -15,6 +15,7 @@ from insole_core.calibration.boards.stereo import board_pose
 from insole_core.calibration.walls.captures import WallCapture
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.disparity import DisparityModel
 from insole_core.sensing.pinhole_camera import PinholeCamera
@@ -30,6 +31,22 @@ _WALL_RAW = 25.0
 _LEAST_SHARE = 0.04
 """Least share of the image; a smaller wall carries too little information."""
 _ROUNDS = 8
+
+
+class NoWallError(CalibrationError):
+    """A capture shows no flat wall.
+
+    Parameters
+    ----------
+    capture
+        Its name.
+    reason
+        A sentence that does not name it.
+    """
+
+    def __init__(self, capture: str, reason: Message) -> None:
+        super().__init__("{what}: {reason}", what=capture, reason=reason)
+        self.reason = reason
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +93,7 @@ def fit_wall(capture: WallCapture, rows: FloatArray, disparity: DisparityModel) 
 
     Raises
     ------
-    CalibrationError
+    NoWallError
         If no plane fills at least 4 % of the image.
     """
     plane = capture.plane
@@ -85,12 +102,12 @@ def fit_wall(capture: WallCapture, rows: FloatArray, disparity: DisparityModel) 
     expected = expected_raw(plane, rows, disparity)
     wall = _largest_region(np.abs(capture.raw - expected) < _WALL_RAW)
     if wall.mean() < _LEAST_SHARE:
-        raise CalibrationError(
-            "{capture} shows no flat wall that fills at least {share:.0%} of the view; point the "
-            "sensor at an empty flat wall and capture it again.",
-            capture=capture.name,
+        reason = Message(
+            "it shows no flat wall that fills at least {share:.0%} of the view; point the sensor "
+            "at an empty flat wall and capture it again.",
             share=_LEAST_SHARE,
         )
+        raise NoWallError(capture.name, reason)
     return WallFit(capture, plane, expected, wall)
 
 

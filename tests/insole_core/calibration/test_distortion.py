@@ -183,7 +183,7 @@ def test_a_wall_that_is_not_flat_is_left_out_by_name(
 def test_no_wall_in_view() -> None:
     generator = np.random.default_rng(0)
     clutter = WallCapture("clutter", generator.uniform(400, 900, (480, 640)))
-    with pytest.raises(CalibrationError, match="clutter shows no flat wall"):
+    with pytest.raises(CalibrationError, match="clutter: it shows no flat wall"):
         calibrate_distortion([clutter], CAMERA, DISPARITY)
 
 
