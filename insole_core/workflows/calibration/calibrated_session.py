@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from insole_core.calibration.stored_correction import apply_correction
 from insole_core.errors import CalibrationError
 from insole_core.messages import Message
-from insole_core.recording.session import Session, View
+from insole_core.recording.session import DotPictures, Session, View
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.sensor_store import SensorStore
@@ -23,6 +23,7 @@ def calibrated_session(
     """Replace the sensor of every view by its stored calibration, or apply a given correction.
 
     Sensors that deliver millimetres are not calibrated here; their views stay as recorded.
+    With the stored calibration, infrared pictures get the pattern of dots that is kept with it.
 
     Parameters
     ----------
@@ -61,7 +62,10 @@ def calibrated_session(
                 Message("View {view}: {warning}", view=view.name, warning=warning)
                 for warning in applied.warnings
             ]
-        views.append(replace(view, sensor=sensor))
+        dots = view.dots if correction is not None else _with_pattern(view, store)
+        if dots is not None and dots.fault:
+            warnings.append(Message("View {view}: {warning}", view=view.name, warning=dots.fault))
+        views.append(replace(view, sensor=sensor, dots=dots))
     return replace(session, views=tuple(views)), tuple(warnings)
 
 
@@ -73,6 +77,16 @@ def _as_recorded(view: View) -> Message:
         serial=view.sensor.serial,
         model=view.sensor.model,
     )
+
+
+def _with_pattern(view: View, store: SensorStore) -> DotPictures | None:
+    """Return the infrared pictures of a view with the kept pattern of its sensor, if there is."""
+    if view.dots is None:
+        return None
+    reference = store.reference(view.sensor.serial)
+    if reference is None:
+        return view.dots
+    return replace(view.dots, reference=reference, pattern_fault="")
 
 
 def _kept(view: View, store: SensorStore) -> Sensor:

@@ -15,11 +15,13 @@ from insole_core.files.atomic import copy_into, make_output_folder
 from insole_core.files.transaction import Transaction, nothing_foreign
 from insole_core.recording.sensor_folder import (
     CORRECTION_FILE,
+    REFERENCE_FILE,
     SENSOR_FILE,
     check_readable,
     read_sensor,
     write_sensor,
 )
+from insole_core.sensing.infrared_reference import InfraredReference, load_reference
 from insole_core.sensing.sensor import Sensor
 
 BEFORE = "before"
@@ -51,7 +53,7 @@ def delivering_raw_numbers(sensor: Sensor) -> Sensor:
 
 
 class SensorStore:
-    """Storage of ``sensor.json``, ``correction.npz`` and the reports of every sensor.
+    """Storage of every sensor's ``sensor.json``, corrections, pattern of dots and reports.
 
     Parameters
     ----------
@@ -161,6 +163,57 @@ class SensorStore:
             _check_readable(sensor.serial, beside)
             attach(beside)
         return folder
+
+    def keep_reference(
+        self, reference: InfraredReference, outputs: Transaction | None = None
+    ) -> None:
+        """Keep the pattern of dots of a known sensor with its calibration; `undo` takes it back.
+
+        Parameters
+        ----------
+        reference
+        outputs
+            As of `save`.
+
+        Raises
+        ------
+        CalibrationError, UsageError, InputError, OutputError
+            As of `check_known` and `save`.
+        """
+        sensor = self.check_known(reference.record.serial)
+        self.save(sensor, lambda folder: reference.save(folder / REFERENCE_FILE), outputs)
+
+    def reference(self, serial: str) -> InfraredReference | None:
+        """Read the pattern of dots of a sensor; None when none is kept.
+
+        Raises
+        ------
+        UsageError
+            When the serial number is not one.
+        InputError
+            When it is damaged, or of a newer version.
+        """
+        path = self.folder_of(serial) / REFERENCE_FILE
+        return load_reference(path) if path.exists() else None
+
+    def check_known(self, serial: str) -> Sensor:
+        """Return a sensor that a pattern can be kept with.
+
+        Raises
+        ------
+        CalibrationError
+            When it was never saved.
+        UsageError, InputError
+            As of `load`.
+        """
+        sensor = self.load(serial)
+        if sensor is None:
+            raise CalibrationError(
+                "Sensor {serial} was never calibrated here, so its pattern of dots cannot be kept; "
+                "calibrate it first, or write the pattern by --out.",
+                serial=serial,
+            )
+        return sensor
 
     def can_undo(self, serial: str) -> bool:
         """Return whether there is anything to undo for a sensor."""

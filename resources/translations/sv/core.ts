@@ -1980,8 +1980,8 @@
             <translation>För materialet {material} är ingen tjocklek känd; välj ett av {names}, eller ange tjockleken själv.</translation>
         </message>
         <message>
-            <source>No view has infrared pictures and a pattern of dots that can be used ({reasons}); use the sensors' own depth (chip).</source>
-            <translation>Ingen vy har infraröda bilder och ett punktmönster som kan användas ({reasons}); använd sensorernas eget djup (chip).</translation>
+            <source>No view has infrared pictures that can be used; use the sensors' own depth (chip). {reasons}</source>
+            <translation>Ingen vy har infraröda bilder som kan användas; använd sensorernas eget djup (chip). {reasons}</translation>
         </message>
         <message>
             <source>No view shows the side of the markers "{face}", so the foot is not measured there.</source>
@@ -2002,6 +2002,14 @@
         <message>
             <source>None of the {count} pictures can be used: {reason}</source>
             <translation>Ingen av de {count} bilderna kan användas: {reason}</translation>
+        </message>
+        <message>
+            <source>None was left out.</source>
+            <translation>Ingen utelämnades.</translation>
+        </message>
+        <message>
+            <source>None were recorded.</source>
+            <translation>Inga spelades in.</translation>
         </message>
         <message>
             <source>Noridian A5513: base of diabetic insoles at least 4.8</source>
@@ -2108,8 +2116,8 @@
             <translation>Bara {count} punkter mättes i mätvolymen, för få för att hitta föremålet; lägg det mitt i volymen, där sensorerna ser det.</translation>
         </message>
         <message>
-            <source>Only {count} walls can be used, but the pattern needs {least} or more at different distances; capture more flat walls ({reasons}).</source>
-            <translation>Bara {count} väggar kan användas, men mönstret behöver {least} eller fler på olika avstånd; ta upp fler plana väggar ({reasons}).</translation>
+            <source>Only {count} walls can be used, but the pattern needs {least} or more at different distances; capture more flat walls. {reasons}</source>
+            <translation>Bara {count} väggar kan användas, men mönstret behöver {least} eller fler på olika avstånd; ta upp fler plana väggar. {reasons}</translation>
         </message>
         <message>
             <source>Only {count} walls were used; six distances or more are better.</source>
@@ -2650,6 +2658,10 @@
         <message>
             <source>Sensor {serial} leans to one side by {roll_deg:.0f}°, which its motor cannot mend; straighten it by hand and level it again.</source>
             <translation>Sensor {serial} lutar {roll_deg:.0f}° åt sidan, vilket dess motor inte kan rätta; räta upp den för hand och ställ den vågrätt igen.</translation>
+        </message>
+        <message>
+            <source>Sensor {serial} was never calibrated here, so its pattern of dots cannot be kept; calibrate it first, or write the pattern by --out.</source>
+            <translation>Sensor {serial} har aldrig kalibrerats här, så dess punktmönster kan inte sparas; kalibrera den först, eller skriv mönstret med --out.</translation>
         </message>
         <message>
             <source>Sensor {serial} {lacks}.</source>
@@ -4696,16 +4708,12 @@
             <translation>Vyn {view} spelades in med sensor {serial}, som aldrig kalibrerats här; kalibrera den först.</translation>
         </message>
         <message>
-            <source>View {view}: its infrared pictures show the pattern on {share:.0%} of the foot only, so they are of another moment, pose or sensor, or the pattern has drifted; the sensor's own depth was used.</source>
-            <translation>Vy {view}: dess infraröda bilder visar mönstret bara på {share:.0%} av foten, så de är av ett annat ögonblick, läge eller en annan sensor, eller så har mönstret flyttat sig; sensorns eget djup användes.</translation>
+            <source>View {view}: its infrared pictures show the pattern on {share:.0%} of the foot only, so they are of another moment, pose or sensor, or the pattern has drifted.</source>
+            <translation>Vy {view}: dess infraröda bilder visar mönstret bara på {share:.0%} av foten, så de är av ett annat ögonblick, läge eller en annan sensor, eller så har mönstret flyttat sig.</translation>
         </message>
         <message>
             <source>View {view}: its infrared pictures were trusted on {share:.0%} of the foot; on the rest the sensor's own depth was used.</source>
             <translation>Vy {view}: dess infraröda bilder var att lita på på {share:.0%} av foten; på resten användes sensorns eget djup.</translation>
-        </message>
-        <message>
-            <source>View {view}: {fault}; the sensor's own depth was used.</source>
-            <translation>Vy {view}: {fault}; sensorns eget djup användes.</translation>
         </message>
         <message>
             <source>View {view}: {warning}</source>
@@ -6356,8 +6364,8 @@
             <translation>den är längre än {limit_mb} MB; kontrollera vad som lagts dit.</translation>
         </message>
         <message>
-            <source>it is not flat, or something stood before it</source>
-            <translation>den är inte plan, eller något stod framför den</translation>
+            <source>it is not flat, or something stood before it.</source>
+            <translation>den är inte plan, eller något stod framför den.</translation>
         </message>
         <message>
             <source>it is of version {version} instead of 2</source>
@@ -6390,6 +6398,18 @@
         <message>
             <source>it or its folder is protected against changes; choose another name or place</source>
             <translation>den eller dess mapp är skyddad mot ändringar; välj ett annat namn eller en annan plats</translation>
+        </message>
+        <message>
+            <source>it shows another pattern than the other walls.</source>
+            <translation>den visar ett annat mönster än de andra väggarna.</translation>
+        </message>
+        <message>
+            <source>it shows no flat wall that fills at least {share:.0%} of the view; point the sensor at an empty flat wall and capture it again.</source>
+            <translation>den visar ingen plan vägg som fyller minst {share:.0%} av synfältet; rikta sensorn mot en tom plan vägg och ta om den.</translation>
+        </message>
+        <message>
+            <source>it shows no plane, as {share:.0%} of it is off by more than {raw:.0f} raw units; capture a flat, empty wall.</source>
+            <translation>den visar inget plan, då {share:.0%} av den avviker mer än {raw:.0f} råenheter; ta upp en plan, tom vägg.</translation>
         </message>
         <message>
             <source>it was switched off by hand</source>
@@ -6456,12 +6476,12 @@
             <translation>hälen mot y = 0</translation>
         </message>
         <message>
-            <source>its infrared pictures are black; see that the emitter is on</source>
-            <translation>dess infraröda bilder är svarta; se till att strålaren är på</translation>
+            <source>its infrared pictures are black; see that the emitter is on.</source>
+            <translation>dess infraröda bilder är svarta; se till att strålaren är på.</translation>
         </message>
         <message>
-            <source>its infrared pictures are saturated; lower their brightness, or keep sunlight off the foot</source>
-            <translation>dess infraröda bilder är mättade; sänk deras ljusstyrka, eller håll solljus borta från foten</translation>
+            <source>its infrared pictures are saturated; lower their brightness, or keep sunlight off the foot.</source>
+            <translation>dess infraröda bilder är mättade; sänk deras ljusstyrka, eller håll solljus borta från foten.</translation>
         </message>
         <message>
             <source>its length of {length:g} mm along {along}, its width of {width:g} mm along {across}</source>
@@ -6848,10 +6868,6 @@
             <translation>måste vara 64 siffror och bokstäver a till f</translation>
         </message>
         <message>
-            <source>must be [0, 0]; move the pictures onto the depth</source>
-            <translation>måste vara [0, 0]; flytta bilderna till djupets bildpunkter</translation>
-        </message>
-        <message>
             <source>must be a day such as 2026-11-20, or null</source>
             <translation>måste vara en dag som 2026-11-20, eller null</translation>
         </message>
@@ -7074,14 +7090,6 @@
         <message>
             <source>none is plugged in</source>
             <translation>ingen är ansluten</translation>
-        </message>
-        <message>
-            <source>none was left out</source>
-            <translation>ingen utelämnades</translation>
-        </message>
-        <message>
-            <source>none was recorded</source>
-            <translation>inga spelades in</translation>
         </message>
         <message>
             <source>none yet</source>
@@ -8408,18 +8416,6 @@
             <translation>{capture} behöver ett mätvärde i bildens mitt och sitt uppmätta avstånd; mät det, eller ta bort tagningen.</translation>
         </message>
         <message>
-            <source>{capture} shows another pattern than the other walls</source>
-            <translation>{capture} visar ett annat mönster än de andra väggarna</translation>
-        </message>
-        <message>
-            <source>{capture} shows no flat wall that fills at least {share:.0%} of the view; point the sensor at an empty flat wall and capture it again.</source>
-            <translation>{capture} visar ingen plan vägg som fyller minst {share:.0%} av synfältet; rikta sensorn mot en tom plan vägg och ta om den.</translation>
-        </message>
-        <message>
-            <source>{capture} shows no plane: {share:.0%} of it is off by more than {raw:.0f} raw units; capture a flat, empty wall.</source>
-            <translation>{capture} visar inget plan: {share:.0%} av den avviker mer än {raw:.0f} råenheter; ta upp en plan, tom vägg.</translation>
-        </message>
-        <message>
             <source>{capture} shows {count} spheres of about {diameter_mm:g} mm, but the bar has 2; keep the space around them free and check the diameter.</source>
             <translation>{capture} visar {count} kulor på ungefär {diameter_mm:g} mm, men staven har 2; håll utrymmet kring dem fritt och kontrollera diametern.</translation>
         </message>
@@ -8784,8 +8780,8 @@
             <translation>{folder} innehåller färgbilder ({picture}) bredvid djupbilderna, som av ett bräde för djup till färg; ange mappen med bilderna av plana, tomma väggar.</translation>
         </message>
         <message>
-            <source>{folder} holds infrared pictures, but its sensor has no pattern of dots yet; learn it by calibrate infrared.</source>
-            <translation>{folder} innehåller infraröda bilder, men dess sensor har inget punktmönster än; lär in det med calibrate infrared.</translation>
+            <source>{folder} holds infrared pictures, but no pattern of dots of its sensor; learn it by calibrate infrared --keep, and put it in by calibrate session.</source>
+            <translation>{folder} innehåller infraröda bilder, men inget punktmönster för dess sensor; lär in det med calibrate infrared --keep, och lägg in det med calibrate session.</translation>
         </message>
         <message>
             <source>{folder} holds more than {most} cases; choose the folders in it one by one.</source>
@@ -9886,6 +9882,10 @@
         <message>
             <source>{rearfoot} / {forefoot}</source>
             <translation>{rearfoot} / {forefoot}</translation>
+        </message>
+        <message>
+            <source>{reason} The sensor's own depth was used.</source>
+            <translation>{reason} Sensorns eget djup användes.</translation>
         </message>
         <message>
             <source>{reason} Until then the learnt correction is used.</source>

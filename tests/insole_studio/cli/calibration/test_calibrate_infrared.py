@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 from simulated_device import DISPARITY, SimulatedDevice, smooth_distortion, wall
@@ -20,8 +22,12 @@ from simulated_infrared import (
 )
 
 from insole_core.geometry.arrays import Float32Array
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import DotPictures, InfraredPictures
+from insole_core.recording.writer import write_session
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.infrared_reference import InfraredReference, load_reference
+from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.cli.main import run
 
 PLANES = (wall(620, 3, -2), wall(690, -4, 1), wall(740, 0, 4), wall(810, 2, -3), wall(880, -2, 2))
@@ -35,6 +41,7 @@ class Learnt:
     pattern: Float32Array
     walls: Path
     sensor: Path
+    sensors: Path
     out: Path
 
     def copied(self, folder: Path) -> Path:
@@ -65,9 +72,12 @@ def learnt(tmp_path_factory: pytest.TempPathFactory) -> Learnt:
         pattern,
         write_infrared_walls(folder / "walls", DEVICE, pattern, PLANES),
         write_sensor_beside(folder / "sensor", replace(SENSOR, correction=correction)),
+        folder / "sensors",
         folder / "reference.npz",
     )
-    assert run(made.learning(made.walls, made.out)) == 0
+    SensorStore(made.sensors).save(SENSOR)
+    kept = ["--keep", "--sensors", str(made.sensors)]
+    assert run([*made.learning(made.walls, made.out), *kept]) == 0
     return made
 
 
@@ -107,18 +117,86 @@ def test_one_wall_says_whether_the_pattern_still_holds(
     tmp_path: Path,
 ) -> None:
     assert run(learnt.checking(learnt.walls, learnt.out)) == 0
-    assert "The pattern still holds" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "By infrared_00.png the pattern still holds" in said
+    assert "A shift along the rows that is the same on all of the wall cannot be seen" in said
 
     drifted = learnt.copied(tmp_path)
+    _half(drifted)  # another wall than that of the check
     raw = DEVICE.distorted(PLANES[0]) + 0.8  # a tenth of a pixel
     write_infrared(drifted / "infrared_00.png", 64 * infrared_picture(learnt.pattern, raw, 9))
     assert run(learnt.checking(drifted, learnt.out)) == 1
-    assert "The pattern has drifted by 0.1" in last_line()
+    assert "infrared_00.png: The pattern has drifted by 0.1" in last_line()
+
+    low = cv2.warpAffine(
+        learnt.pattern, np.array([[1, 0, 0], [0, 1, 0.15]]), learnt.pattern.shape[::-1]
+    )
+    raw = DEVICE.distorted(PLANES[0])
+    write_infrared(drifted / "infrared_00.png", 64 * infrared_picture(low, raw, 9))
+    assert run(learnt.checking(drifted, learnt.out)) == 1
+    assert "infrared_00.png: The pattern has drifted by 0.1" in last_line()
 
     other = 64 * infrared_picture(dots(2), raw, 9)
     write_infrared(drifted / "infrared_00.png", other)
     assert run(learnt.checking(drifted, learnt.out)) == 1
     assert "shows another pattern" in last_line()
+
+
+def test_a_shift_of_pattern_and_depth_along_the_rows_stays_unseen(
+    learnt: Learnt, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    shifted = learnt.copied(tmp_path)
+    device = SimulatedDevice(DEVICE.distortion_raw + 0.8, disparity=DISPARITY)
+    seen = infrared_picture(learnt.pattern, device.distorted(PLANES[0]), 9)
+    write_infrared(shifted / "infrared_00.png", 64 * seen)
+    (frame,) = device.frames(PLANES[0], 1)
+    write_depth(shifted / "depth_00.png", frame)
+
+    assert run(learnt.checking(shifted, learnt.out)) == 0
+    assert "cannot be seen" in capsys.readouterr().out
+
+
+def test_a_kept_pattern_is_put_into_the_sessions_of_its_sensor(
+    learnt: Learnt, small_session: Path, tmp_path: Path, last_line: Callable[[], str]
+) -> None:
+    session = read_session(small_session)
+    black = np.zeros((480, 640), np.uint16)
+    dots = DotPictures(InfraredPictures(1, lambda _: black, 16), shift_px=(4.8, 3.9))
+    given = replace(session.views[0], sensor=replace(SENSOR, faces=("sole",)), dots=dots)
+    manifest = replace(session.manifest, views=(given.name,))
+    write_session(replace(session, manifest=manifest, views=(given,)), tmp_path / "session")
+    copy = ["calibrate", "session", str(tmp_path / "session"), "--out", str(tmp_path / "copy")]
+    assert run([*copy, "--sensors", str(learnt.sensors)]) == 0
+
+    (view,) = read_session(tmp_path / "copy").views
+    assert view.dots is not None
+    assert view.dots.fault == ""
+    assert view.dots.shift_px == (4.8, 3.9)
+    assert view.dots.reference is not None
+    assert view.dots.reference.record.serial == "SIM1"
+
+    assert run([*learnt.learning(learnt.walls, tmp_path / "out.npz"), "--keep", "--sensors",
+                str(tmp_path)]) == 1  # fmt: skip
+    assert "Sensor SIM1 was never calibrated here" in last_line()
+    store = SensorStore(Path(shutil.copytree(learnt.sensors, tmp_path / "sensors")))
+    assert store.undo("SIM1")
+    assert store.reference("SIM1") is None
+
+
+def test_walls_may_be_shifted_against_their_depth(
+    learnt: Learnt, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """A check of shifted pictures, with the shift in sensor.json, finds the pattern in place."""
+    walls, sensor = learnt.copied(tmp_path), tmp_path / "sensor.json"
+    shutil.copytree(learnt.sensor.parent, tmp_path, dirs_exist_ok=True)
+    values = json.loads(sensor.read_text())
+    sensor.write_text(json.dumps({**values, "infrared_shift_px": [5, 4]}))
+    picture = infrared_picture(learnt.pattern, DEVICE.distorted(PLANES[0]), 0)
+    write_infrared(walls / "infrared_00.png", 64 * np.roll(picture, (4, 5), (0, 1)))
+
+    call = ["calibrate", "infrared", str(walls), "--sensor", str(sensor)]
+    assert run([*call, "--check", str(learnt.out)]) == 0
+    assert "the pattern still holds" in capsys.readouterr().out
 
 
 def _fewer(walls: Path) -> None:
@@ -161,6 +239,13 @@ def _no_plane(walls: Path) -> None:
         write_depth(walls / f"depth_{number:02d}.png", curved)
 
 
+def _all_unlike(walls: Path) -> None:
+    for number in range(len(PLANES)):
+        raw = DEVICE.distorted(PLANES[number])
+        picture = 64 * infrared_picture(dots(20 + number), raw, number)
+        write_infrared(walls / f"infrared_{number:02d}.png", picture)
+
+
 def write_depth(path: Path, raw: np.ndarray) -> None:
     write_infrared(path, raw.astype(float))
 
@@ -175,7 +260,8 @@ def write_depth(path: Path, raw: np.ndarray) -> None:
         (_saturated, "infrared_02.png is saturated"),
         (_dark, "infrared_02.png is almost dark"),
         (_of_another, "were recorded with sensor SIM2"),
-        (_no_plane, "infrared_02.png shows no plane"),
+        (_no_plane, "infrared_02.png: it shows no plane"),
+        (_all_unlike, "infrared_02.png: it shows another pattern than the other walls."),
     ],
 )
 def test_walls_that_teach_no_pattern_are_told_in_a_sentence(
