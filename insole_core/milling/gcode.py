@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import groupby
 
 import numpy as np
@@ -17,6 +18,8 @@ from insole_core.progress import SILENT, Progress
 
 _DECIMALS = 3
 _FILE = "File"
+_NUMBERS = 2**17
+"""That are kept as written: heights and places on lines recur."""
 _PREAMBLE = "G17 G21 G40 G49 G80 G90 G94"
 """Plane xy, mm, no compensation of radius or length, no cycle, absolute, feed in mm/min."""
 
@@ -251,5 +254,6 @@ def _moves(operation: Operation, points_mm: FloatArray, is_parked: bool) -> Iter
         yield f"G1 {' '.join(words)}"
 
 
+@lru_cache(_NUMBERS)
 def _number(value: float) -> str:
     return f"{value:.{_DECIMALS}f}".rstrip("0").rstrip(".")

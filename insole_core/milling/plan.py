@@ -29,8 +29,6 @@ HEIGHT_TOLERANCE_MM = 0.05
 """By which a piece may be higher than its block: the rounding of files."""
 _TAB_SHARE = 0.9
 """Of the thickness asked for, from which nothing is said of a tab."""
-_LOOK_MM = 0.1
-"""Material of which the coarse figure is looked at again."""
 _FAR_MM = 1e3
 _LAND_MM = 2.0
 """Width along a wall of which the left-over material is not computed."""
@@ -305,10 +303,7 @@ def _left_over(surface: Surface, stock: Stock, side: SideName) -> LeftOver:
     """Compare what the cutters leave with the surface, on every few nodes of the grid."""
     every = stock.every
     heights, within = surface.heights_mm[::every, ::every], _off_the_walls(surface, every)
-    left = np.where(within, stock.heights_mm - heights, np.nan)
-    look = np.argwhere(left > _LOOK_MM)
-    exact = stock.swept_at(look * every) - heights[tuple(look.T)]
-    left[tuple(look.T)] = np.minimum(exact, left[tuple(look.T)])
+    left = np.where(within, np.minimum(stock.heights_mm, stock.last_swept()) - heights, np.nan)
     return LeftOver(
         side, surface.first_mm, every * surface.step_mm,
         np.maximum(left, 0), np.asarray(heights, float),

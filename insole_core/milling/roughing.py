@@ -83,7 +83,7 @@ def roughing(
         stock.sweep(level, active, cutter)
         for share, terrace_mm in _WATERLINES:
             height_mm = level_mm + share * how.step_down_mm
-            left = (stock.free_tips(cutter) > height_mm + terrace_mm) & near_solids
+            left = stock.meets(cutter, height_mm + terrace_mm) & near_solids
             for loop in _waterlines(allowed & (tips <= height_mm), surface, height_mm):
                 node = surface.index_of(loop[:, :2])
                 for way in _ways(loop, left[node], near_solids[node]):
@@ -233,10 +233,10 @@ class _Level:
     def _sunk(self, line: int, nodes: IntArray, from_mm: float) -> FloatArray:
         """Return the heights (n,) of a first way along nodes."""
         level, reached = self._raster.tips_mm[line, nodes], self._reached_mm[line + 1, nodes]
-        beside = scipy.ndimage.maximum_filter1d(
-            self._reached_mm[[line, line + 2]], 2 * self._inset + 1, axis=1
-        )
-        around = np.minimum(reached, beside[:, nodes].min(axis=0))
+        first = max(int(nodes.min()) - self._inset, 0)
+        near = self._reached_mm[line : line + 3 : 2, first : int(nodes.max()) + self._inset + 1]
+        beside = scipy.ndimage.maximum_filter1d(near, 2 * self._inset + 1, axis=1)
+        around = np.minimum(reached, beside[:, nodes - first].min(axis=0))
         sunk = self._sinking(np.maximum(level, around - self._slot_depth_mm), from_mm)
         self._reached_mm[line + 1, nodes] = np.minimum(reached, sunk)
         return sunk

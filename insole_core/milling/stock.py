@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from typing import TypeVar
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray, IntArray
 from insole_core.geometry.height_map import disc
@@ -20,6 +23,7 @@ from insole_core.milling.tool_path import (
     without_collinear,
 )
 
+_Value = TypeVar("_Value", bound=np.generic)
 _PITCH_MM = 0.25
 _HIGH_MM = np.float32(1e6)
 _SAME = 0.05
@@ -33,8 +37,10 @@ MOST_BEYOND = 0.5
 _AIR_MM = 22.0
 """Round the grid, more than the radius of a cutter."""
 _SLACK_MM = 1e-3
-_STRIP = 32
-"""Rows of a grid."""
+_TILE = (32, 256)
+"""Nodes of a grid along x and y."""
+_AT_ONCE = 2
+"""Tiles; no result depends on it."""
 _MOST_SAMPLES = 1_000_000
 """Nodes under a cutter, at all its places, that are looked at together."""
 _LEAST_RAMP_MM = 0.5
@@ -89,7 +95,7 @@ class Stock:
             np.minimum(self._heights, swept, out=self._heights)
             return
         i, j, above = _under(cutter, self._step_mm)
-        # Every other node will do: what may be left is looked at again, see `swept_at`.
+        # Every other node will do: what is left in the end is looked at again, see `last_swept`.
         few = (i % 2 == 0) & (j % 2 == 0)
         _gather(np.minimum, tips, (i[few], j[few], above[few]), self._heights, _HIGH_MM)
 
@@ -98,17 +104,14 @@ class Stock:
         """What is left at every few nodes of the surface's grid, above the block's bottom."""
         return self._heights
 
-    def swept_at(self, nodes: IntArray) -> FloatArray:
-        """Return what the last sweep has left (n,) at nodes (n, 2) of the surface's grid.
+    def last_swept(self) -> Float32Array:
+        """Return what the last sweep alone has left, at the same nodes as `heights_mm`.
 
-        Other than `heights_mm` with all that the cutter has gone along, between those nodes too.
+        Other than there with all that the cutter has gone along, between those nodes too.
         """
-        i, j, above = _under(self._sweeper, self._step_mm / self.every)
-        left = np.empty(len(nodes))
-        for part in _parts(len(nodes), len(i)):
-            a = np.clip(nodes[part, :1] + i, 0, self._shape[0] - 1)
-            b = np.clip(nodes[part, 1:] + j, 0, self._shape[1] - 1)
-            left[part] = (self._swept[a, b] + above).min(axis=1)
+        left = np.full(self._heights.shape, _HIGH_MM)
+        under = _under(self._sweeper, self._step_mm / self.every)
+        _gather(np.minimum, self._swept, under, left, _HIGH_MM, every=self.every)
         return left
 
     def is_wide(self, way_mm: FloatArray, cutter: Cutter, depth_mm: float, width_mm: float) -> bool:
@@ -128,10 +131,30 @@ class Stock:
 
     def cut(self, path_mm: FloatArray, cutter: Cutter) -> None:
         """Take away what a cutter meets on a path (n, 3) of its tip."""
-        path, under = densified(path_mm, _ALONG_MM), _under(cutter, self._step_mm)
-        for part in _parts(len(path), len(under[0])):
-            nodes, low = self._met(path[part], under)
-            np.minimum.at(self._all.reshape(-1), nodes.ravel(), low.ravel().astype(np.float32))
+        path, heights = densified(path_mm, _ALONG_MM), self._all.reshape(-1)
+        for way, under in self._newly_under(path, cutter):
+            for part in _parts(len(way), len(under[0])):
+                nodes, low = self._met(way[part], under)
+                np.minimum.at(heights, nodes.ravel(), low.ravel().astype(np.float32))
+
+    def _newly_under(
+        self, path_mm: FloatArray, cutter: Cutter
+    ) -> Iterator[tuple[FloatArray, tuple[IntArray, IntArray, FloatArray]]]:
+        """Yield all places (n, 3) of a path, with those offsets under a cutter that are new there.
+
+        A flat one that goes on to the next node at the same height is over most of them already.
+        """
+        i, j, above = _under(cutter, self._step_mm)
+        here = np.pad(disc(cutter.radius_mm, self._step_mm), 1)
+        middle, nodes = len(here) // 2, self._nodes(path_mm)
+        steps = np.diff(nodes, axis=0, prepend=nodes[:1])
+        goes_on = np.diff(path_mm[:, 2], prepend=np.inf) == 0
+        goes_on &= (np.abs(steps).max(axis=1) <= 1) & (cutter.shape == "flat")
+        yield path_mm[~goes_on], (i, j, above)
+        for step in np.argwhere(np.ones((3, 3))) - 1:
+            new = here[middle + i + step[0], middle + j + step[1]] == 0
+            way = path_mm[goes_on & (steps == step).all(axis=1)]
+            yield way, (i[new], j[new], above[new])
 
     def over(self, places_mm: FloatArray, cutter: Cutter, beside: float = 0.0) -> FloatArray:
         """Return the lowest tip (n,) of a cutter at places (n, 2 or 3) that meets nothing.
@@ -173,8 +196,16 @@ class Stock:
         for part in _parts(len(way_mm), len(i)):
             nodes, low = self._met(way_mm[part], (i, j, above))
             met = across <= beyond[nodes]
-            depths[part] = (heights[nodes] - low).max(axis=1, where=met, initial=0.0)
+            depths[part] = np.where(met, heights[nodes] - low, 0.0).max(axis=1)
         return depths
+
+    def meets(self, cutter: Cutter, tip_mm: float) -> BoolArray:
+        """Find the nodes (nx, ny) of the surface's grid where a tip so low meets something."""
+        if cutter.shape != "flat":
+            return np.asarray(self.free_tips(cutter) > tip_mm)
+        higher = np.asarray(self._heights > tip_mm, np.uint8)
+        met = cv2.dilate(higher, disc(cutter.radius_mm, self._step_mm))
+        return self._on_surface(met) > 0
 
     def free_tips(self, cutter: Cutter) -> Float32Array:
         """Return the lowest tips (nx, ny) that meet nothing, at the nodes of the surface's grid."""
@@ -184,9 +215,13 @@ class Stock:
             i, j, above = _under(cutter, self._step_mm)
             tips = np.full(self._heights.shape, -_HIGH_MM, np.float32)
             _gather(np.maximum, self._heights, (i, j, -above), tips, -_HIGH_MM)
+        return np.asarray(self._on_surface(tips), np.float32)
+
+    def _on_surface(self, values: NDArray[_Value]) -> NDArray[_Value]:
+        """Return values of the stock's nodes at those (nx, ny) of the surface's grid."""
         if self.every > 1:
-            tips = tips.repeat(self.every, axis=0).repeat(self.every, axis=1)
-        return np.asarray(tips[: self._shape[0], : self._shape[1]], np.float32)
+            values = values.repeat(self.every, axis=0).repeat(self.every, axis=1)
+        return values[: self._shape[0], : self._shape[1]]
 
     def write(
         self,
@@ -226,10 +261,14 @@ class Stock:
     ) -> tuple[IntArray, FloatArray]:
         """Return the nodes (n, k) under a cutter along a path, and its heights over them."""
         i, j, above = under
-        middle = np.rint((path_mm[:, :2] - self._first_mm) / self._step_mm).astype(int)
-        x, y = np.clip(middle, 0, np.array(self._heights.shape) - 1).T
+        x, y = self._nodes(path_mm).T
         row = self._all.shape[1]
         return (self._first + x * row + y)[:, None] + (i * row + j), path_mm[:, 2:] + above
+
+    def _nodes(self, path_mm: FloatArray) -> IntArray:
+        """Return the nodes (n, 2) nearest to the axis of a cutter along a path."""
+        middle = np.rint((path_mm[:, :2] - self._first_mm) / self._step_mm).astype(int)
+        return np.asarray(np.clip(middle, 0, np.array(self._heights.shape) - 1))
 
 
 def _gather(
@@ -238,20 +277,47 @@ def _gather(
     under: tuple[IntArray, IntArray, FloatArray],
     into: Float32Array,
     beyond: np.float32,
+    *,
+    every: int = 1,
 ) -> None:
-    """Take the least, or greatest, of heights (nx, ny) round each node, each with what is added.
+    """Take the least, or greatest, of heights round each node, each with what is added.
 
-    In strips, which a processor keeps at hand.
+    In tiles, which a processor keeps at hand. Where all heights are the same, they are least and
+    greatest as well: in the middle nothing is added.
+
+    Parameters
+    ----------
+    into : (nx, ny)
+        At every few nodes of `heights`.
     """
     reach = int(max(np.abs(under[0]).max(), np.abs(under[1]).max()))
     ring = np.pad(heights, reach, constant_values=beyond)
-    nx, ny = heights.shape
-    for first in range(0, nx, _STRIP):
-        strip = into[first : first + _STRIP]
-        for i, j, more in zip(*under, strict=True):
-            row, column = first + reach + i, reach + j
-            near = ring[row : row + len(strip), column : column + ny]
-            least(strip, near + np.float32(more), out=strip)
+    offsets = [(int(i), int(j), np.float32(more)) for i, j, more in zip(*under, strict=True)]
+
+    def take(tile: tuple[slice, slice]) -> None:
+        own = into[tile]
+        x, y = (every * side.start for side in tile)
+        nx, ny = (every * size for size in own.shape)
+        around = ring[x : x + nx + 2 * reach, y : y + ny + 2 * reach]
+        if (around == around[0, 0]).all():
+            least(own, around[0, 0], out=own)
+            return
+        level = np.empty_like(own)
+        for i, j, more in offsets:
+            row, column = reach + i, reach + j
+            near = around[row : row + nx : every, column : column + ny : every]
+            np.add(near, more, out=level)
+            least(own, level, out=own)
+
+    with ThreadPoolExecutor(_AT_ONCE) as pool:
+        for _ in pool.map(take, _tiles(into.shape)):
+            pass
+
+
+def _tiles(shape: tuple[int, ...]) -> list[tuple[slice, slice]]:
+    """Return the parts of a grid (nx, ny) that are looked at one by one."""
+    rows, columns = (range(0, size, tile) for size, tile in zip(shape, _TILE, strict=True))
+    return [(slice(i, i + _TILE[0]), slice(j, j + _TILE[1])) for i in rows for j in columns]
 
 
 def _wider(cutter: Cutter, by_mm: float) -> Cutter:

@@ -261,7 +261,7 @@ def needed_nodes(heights_mm: FloatArray, active: BoolArray, most_mm: float) -> B
         starts = span * np.arange(blocks)
         inner = np.arange(1, span)
         first, last = nodes[:, starts, None], nodes[:, starts + span, None]
-        passed = nodes[:, starts[:, None] + inner]
+        passed = nodes[:, : blocks * span].reshape(len(nodes), blocks, span)[:, :, 1:]
         straight = first + (last - first) * (inner / span)
         close = (np.abs(passed - straight) <= most_mm).all(axis=2)
         if not close.any():

@@ -30,7 +30,7 @@ from insole_core.milling.sides import turned_over
 from insole_core.milling.spoil_board import spoil_board_plan
 from insole_core.milling.stock import MOST_BEYOND, Stock, runs_of_closed
 from insole_core.milling.surface import sample_surface
-from insole_core.milling.tool_path import PathWriter, motion_minutes
+from insole_core.milling.tool_path import PathWriter, densified, motion_minutes
 from insole_core.resources import resource_path
 from insole_core.solids.export_job import ExportPaths
 from insole_core.solids.shop import Block
@@ -552,9 +552,8 @@ def test_a_wide_cutter_on_a_long_way_takes_little_memory():
     count = 30_000
     places = np.random.default_rng(0).uniform(5, 35, (count, 2))
     way = np.column_stack([places, np.full(count, 4.0)])
-    nodes = np.stack(surface.index_of(way[:, :2]), axis=1)
     asked = (
-        lambda: stock.swept_at(nodes),
+        stock.last_swept,
         lambda: stock.over(way, wide),
         lambda: stock.cut(way[::50], wide),
     )
@@ -564,6 +563,40 @@ def test_a_wide_cutter_on_a_long_way_takes_little_memory():
         _, most = tracemalloc.get_traced_memory()
         tracemalloc.stop()
         assert most < 1e8
+
+
+@pytest.mark.parametrize("step_mm", [0.25, 0.1])
+def test_what_a_ball_leaves_between_its_lines_is_exact_at_every_node(step_mm):
+    box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((10, 10, 0)))
+    surface = sample_surface([box], (40.0, 40.0, 10.0), 5.0, step_mm)
+    stock, ball = Stock(surface, 10.0, 1.0), machine().finishing.cutter
+    active = np.zeros(surface.inside.shape, bool)
+    active[: -active.shape[0] // 3 : round(1 / step_mm)] = True
+    active[7, 3:11] = True
+    stock.sweep(np.full(active.shape, 6.0), active, ball)
+    away_mm = scipy.ndimage.distance_transform_edt(~active)[:: stock.every, :: stock.every]
+    inset_mm = np.sqrt(np.clip(ball.radius_mm**2 - (away_mm * step_mm) ** 2, 0, None))
+    swept = away_mm * step_mm < ball.radius_mm - step_mm / 2
+    beyond = away_mm * step_mm > ball.radius_mm + step_mm / 2
+    left = stock.last_swept()
+    np.testing.assert_allclose(left[swept], (6 + ball.radius_mm - inset_mm)[swept], atol=1e-5)
+    assert (left[beyond] > 10).all()
+
+
+@pytest.mark.parametrize("shape", ["flat", "ball"])
+def test_a_way_takes_away_what_its_places_take_one_by_one(shape):
+    box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((10, 10, 0)))
+    surface = sample_surface([box], (40.0, 40.0, 10.0), 5.0, 0.25)
+    cutter = replace(machine().contour.cutter, shape=shape)
+    whole, single = Stock(surface, 10.0, 1.0), Stock(surface, 10.0, 1.0)
+    random = np.random.default_rng(1)
+    way = np.cumsum(random.uniform(-1.5, 1.5, (60, 3)), axis=0) + np.array([20.0, 20.0, 5.0])
+    way[:, 2] = np.round(np.clip(way[:, 2], 1, 9))
+    whole.cut(way, cutter)
+    for place in densified(way, 0.25):
+        single.cut(np.stack([place, place]), cutter)
+    np.testing.assert_array_equal(whole.heights_mm, single.heights_mm)
+    assert (whole.heights_mm < 10).any()
 
 
 def test_a_strip_between_two_nodes_is_cut_step_by_step():
