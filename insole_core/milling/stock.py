@@ -37,7 +37,7 @@ MOST_BEYOND = 0.5
 _AIR_MM = 22.0
 """Round the grid, more than the radius of a cutter."""
 _SLACK_MM = 1e-3
-_TILE = (32, 256)
+_TILE = (64, 512)
 """Nodes of a grid along x and y."""
 _AT_ONCE = 2
 """Tiles; no result depends on it."""
@@ -169,7 +169,7 @@ class Stock:
         flat, tips = np.pad(places_mm[:, :2], ((0, 0), (0, 1))), np.empty(len(places_mm))
         for part in _parts(len(flat), len(under[0])):
             nodes, above = self._met(flat[part], under)
-            tips[part] = (self._all.reshape(-1)[nodes] - above).max(axis=1)
+            tips[part] = (self._all.reshape(-1).take(nodes) - above).max(axis=1)
         return tips
 
     def go_along_walls(self, beyond: Float32Array) -> None:
@@ -195,8 +195,8 @@ class Stock:
         depths = np.empty(len(way_mm))
         for part in _parts(len(way_mm), len(i)):
             nodes, low = self._met(way_mm[part], (i, j, above))
-            met = across <= beyond[nodes]
-            depths[part] = np.where(met, heights[nodes] - low, 0.0).max(axis=1)
+            met = across <= beyond.take(nodes)
+            depths[part] = (heights.take(nodes) - low).max(axis=1, where=met, initial=0.0)
         return depths
 
     def meets(self, cutter: Cutter, tip_mm: float) -> BoolArray:
