@@ -11,6 +11,7 @@ from insole_core.cases.case_record import (
     Annotations,
     CaseRecord,
     FootRecord,
+    Found,
     KeyPoint,
     Patient,
     ReferencePlane,
@@ -29,6 +30,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_json import design_from_json, design_to_json
 from insole_core.insole.prescription.template import Template, template_from_json, template_to_json
 from insole_core.json_object import JsonObject
+from insole_core.recording.capture_place import place_from_json, place_to_json
 
 FORMAT, VERSION = "insole-case", 2
 _MOST_MM, _MOST_SOURCE_MM = 1e4, 1e9
@@ -102,7 +104,7 @@ def foot_to_json(record: FootRecord) -> dict[str, Any]:
 def _annotations_to_json(annotations: Annotations) -> dict[str, Any]:
     content: dict[str, Any] = {
         "key_points": [
-            {"name": point.name, "position_mm": list(point.position_mm)}
+            {"name": point.name, "position_mm": list(point.position_mm), **_found_to_json(point)}
             for point in annotations.key_points
         ]
     }
@@ -114,6 +116,10 @@ def _annotations_to_json(annotations: Annotations) -> dict[str, Any]:
             "roll_deg": plane.roll_deg,
         }
     return content
+
+
+def _found_to_json(point: KeyPoint) -> dict[str, Any]:
+    return {} if point.found is None else {"found": vars(point.found).copy()}
 
 
 def foot_from_json(foot: JsonObject, mesh_of: Callable[[Side], TriangleMesh]) -> FootRecord:
@@ -201,9 +207,21 @@ def _patient(patient: JsonObject) -> Patient:
     return Patient(**{key: patient.text(key, empty=True) for key in keys})
 
 
+def _found(point: JsonObject) -> Found | None:
+    if not point.has("found"):
+        return None
+    found = point.object("found")
+    has_deviation = found.has("deviation_mm") and found.values["deviation_mm"] is not None
+    return Found(
+        found.number("confidence", 0, 1),
+        found.number("deviation_mm", 0, _MOST_MM) if has_deviation else None,
+        found.flag("is_coarse"),
+    )
+
+
 def _annotations(annotations: JsonObject) -> Annotations:
     points = tuple(
-        KeyPoint(point.text("name"), point.triple("position_mm", _MOST_MM))
+        KeyPoint(point.text("name"), point.triple("position_mm", _MOST_MM), _found(point))
         for point in annotations.objects("key_points")
     )
     names = [point.name for point in points]
@@ -233,7 +251,7 @@ def source_from_json(source: JsonObject) -> ScanSource:
         choice_from_json(source.object("choice")) if source.has("choice") else NOTHING_SAID,
         source.flag("mirrored") if source.has("mirrored") else False,
         source.date("scanned_on")[:10] if source.has("scanned_on") else "",
-        tuple(source.texts("sensors")) if source.has("sensors") else (),
+        place_from_json(source.object("place")) if source.has("place") else None,
     )
 
 
@@ -244,8 +262,8 @@ def _source_to_json(source: ScanSource) -> dict[str, Any]:
     content["choice"] = choice_to_json(source.choice)
     if not content["choice"]:
         del content["choice"]
-    content["sensors"] = list(source.sensors)
-    for key in ("mirrored", "scanned_on", "sensors"):
+    content["place"] = None if source.place is None else place_to_json(source.place)
+    for key in ("mirrored", "scanned_on", "place"):
         if not content[key]:
             del content[key]
     return content

@@ -53,11 +53,27 @@ class Patient:
 
 
 @dataclass(frozen=True)
+class Found:
+    """How surely a landmark had been found by the shape of the foot: as of `Landmark`."""
+
+    confidence: float
+    deviation_mm: float | None = None
+    is_coarse: bool = False
+
+
+@dataclass(frozen=True)
 class KeyPoint:
-    """A named point on the foot's skin, mm, insole frame."""
+    """A named point on the foot's skin, mm, insole frame.
+
+    Parameters
+    ----------
+    found
+        Of a landmark that was confirmed where it was found; None of a point set by hand.
+    """
 
     name: str
     position_mm: Point
+    found: Found | None = None
 
 
 @dataclass(frozen=True)

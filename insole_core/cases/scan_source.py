@@ -10,6 +10,7 @@ from insole_core.formats.units import MM_PER_UNIT, Unit
 from insole_core.geometry.side import Side
 from insole_core.imprints.form import Form
 from insole_core.json_object import JsonObject
+from insole_core.recording.capture_place import CapturePlace
 from insole_core.scans.scale import KnownDistance, KnownFootLength, KnownShoeSize, KnownSize
 
 _MOST = 1e9  # of a coordinate, in any unit
@@ -111,8 +112,8 @@ class ScanSource:
         Whether the foot is the mirror image of what this scan shows: of the other foot.
     scanned_on
         Day (ISO 8601) of the earlier visit that the scan is of; empty for one of its own visit.
-    sensors
-        Serial numbers of the sensors of a session, sorted; none where they are not known.
+    place
+        Where a session was captured; None where that is not known.
     """
 
     kind: str
@@ -123,7 +124,7 @@ class ScanSource:
     choice: ImportChoice = NOTHING_SAID
     mirrored: bool = False
     scanned_on: str = ""
-    sensors: tuple[str, ...] = ()
+    place: CapturePlace | None = None
 
     def with_needed_place(self) -> ScanSource:
         """Return the source as the record keeps it, which holds the scan itself as a capture.

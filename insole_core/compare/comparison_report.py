@@ -208,7 +208,7 @@ def write_report(
             spreads = [s for row in rows for s in (row.a_spread, row.b_spread) if s is not None]
             facts: dict[str, str] = {_MEASURES[row.key]: _both(row) for row in rows}
             if spreads:
-                facts[Message("error")] = joined(explained(spreads), "; ")
+                facts[Message("uncertainty")] = joined(explained(spreads), "; ")
             sections.append((title, facts))
     said = [
         (translate(title), {translate(key): translate(text) for key, text in facts.items()})

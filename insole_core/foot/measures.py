@@ -14,7 +14,7 @@ import numpy as np
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_proportions import is_within
-from insole_core.foot.landmarks import TOE_TIPS, Landmarks
+from insole_core.foot.landmarks import AXES, TOE_TIPS, Landmarks
 from insole_core.foot.levelling import OUTLINE_HEIGHT_MM
 from insole_core.foot.rear_axes import Axis
 from insole_core.foot.tape import tape_length
@@ -176,6 +176,22 @@ _AXES = {
     "achilles_angle_deg": ("achilles_lower",),
     "achilles_lean_deg": ("achilles_lower",),
 }
+_RESTS_ON: Mapping[str, tuple[str, ...]] = {
+    **_STANDS_ON,
+    "foot_length": ("pternion", *TOE_TIPS),
+    "ball_width_across": ("pternion", "toe_tip_2", *_BALL),
+    "ball_length": ("pternion", "toe_tip_2", "metatarsale_tibiale"),
+    "instep_height": ("pternion", *TOE_TIPS),
+    "arch_height": (*FOOTINGS, "arch_apex"),
+    "arch_height_index": ("pternion", *TOE_TIPS, "metatarsal_head_1"),
+    "arch_index": FOOTINGS,
+    "navicular_height": ("navicular",),
+    "rearfoot_angle_deg": AXES,
+    "achilles_angle_deg": ("achilles_lower", "achilles_upper"),
+    "achilles_lean_deg": ("achilles_lower", "achilles_upper"),
+    "forefoot_angle_deg": FOOTINGS,
+}
+"""All places that move a measure: its ends, and those of the foot axis where it lies along it."""
 _SIZES_EU, _SIZES_UK = (15.0, 55.0), (1.0, 17.0)  # that exist; children's English are others
 _DOUBTFUL, _DOUBTFUL_MM = 0.5, 1.2
 _SIZES = ("foot_length", "ball_width", "ball_width_across", "ball_length", "heel_width")
@@ -246,6 +262,12 @@ def doubts(landmarks: Landmarks) -> dict[str, str]:
     return found
 
 
+def by_hand(landmarks: Landmarks) -> set[str]:
+    """Return the measures, by the names in `DEFINITIONS`, that rest on a place set by hand."""
+    placed = {name for name, mark in landmarks.items() if mark.origin == "hand"}
+    return {name for name, places in _RESTS_ON.items() if placed.intersection(places)}
+
+
 def measure(foot: Foot, landmarks: Landmarks) -> dict[str, float | None]:
     """Measure a foot by its landmarks.
 
@@ -294,6 +316,11 @@ def _sizes(length: float | None) -> dict[str, float | None]:
 def shoe_size_eu(foot_length_mm: float) -> float:
     """Return the shoe size in Paris points, to the half, with 15 mm before the toes."""
     return round(2 * (foot_length_mm + _SHOE_ALLOWANCE_MM) / PARIS_MM) / 2
+
+
+def usual_size_eu(foot: Foot, landmarks: Landmarks) -> float | None:
+    """Return the shoe size of a foot; None where its length is a guess."""
+    return shoe_size_eu(foot.length_mm) if is_length_seen(landmarks) else None
 
 
 class _Along:

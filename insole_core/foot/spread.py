@@ -5,15 +5,15 @@ The ± of a measure is half of its 95 % limits: in 95 of 100 cases the value lie
 - from the mean of many captures like this one, where a repeat test of the same sensors gives it,
 - from the same measure of the true surface, where simulated captures give it.
 
-Of the file of another scanner it is not known. Two values differ by more than their error when
-their difference exceeds the root of the sum of both squares.
+Of the file of another scanner it is not known, nor of what rests on a place set by hand. Two values
+differ by more than their error when their difference exceeds the root of the sum of both squares.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Set
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -22,6 +22,7 @@ from insole_core.foot.measures import (
     DEFINITIONS,
     SIZES,
     Measured,
+    by_hand,
     deviations_mm,
     doubts,
     measure,
@@ -42,13 +43,15 @@ class SpreadSource(StrEnum):
 
     REPEATED = "repeat test"
     SIMULATED = "simulation"
+    FOREIGN = "another scanner"
     UNKNOWN = "unknown"
 
 
 EXPLAINED: Mapping[SpreadSource, str] = {
     SpreadSource.REPEATED: Message("±: 95 % limits, by the repeat test of this place"),
     SpreadSource.SIMULATED: Message("±: 95 % limits, by simulated captures"),
-    SpreadSource.UNKNOWN: Message("± ?: not known, as of another scanner's file"),
+    SpreadSource.FOREIGN: Message("± ?: not known of another scanner's file"),
+    SpreadSource.UNKNOWN: Message("± ?: not known for this value"),
 }
 
 
@@ -73,16 +76,25 @@ class Spread:
         return math.hypot(self.limits_95, other.limits_95)
 
 
-UNKNOWN = Spread()
+UNKNOWN, FOREIGN = Spread(), Spread(source=SpreadSource.FOREIGN)
 Spreads: TypeAlias = Mapping[str, Spread]
 
 
 @dataclass(frozen=True)
 class MeasuredFoot:
-    """The measures of a foot with their ±, by the names in `DEFINITIONS`."""
+    """The measures of a foot with their ±, by the names in `DEFINITIONS`.
+
+    Parameters
+    ----------
+    values
+    spreads
+    doubts
+        Why a measure is uncertain, a text for each that is.
+    """
 
     values: Measured
     spreads: Spreads
+    doubts: Mapping[str, str] = field(default_factory=dict)
 
     def spread(self, name: str) -> Spread:
         """Return the ± of a measure."""
@@ -120,11 +132,17 @@ def spreads_of(
     repeated
         By the repeat test of the same sensors. It says nothing of an end that was seen badly this
         time: there the wider ± counts.
+
+    Returns
+    -------
+    dict
+        By the names in `DEFINITIONS`; unknown for what rests on a place set by hand.
     """
     if not is_recorded:
-        return dict.fromkeys(DEFINITIONS, UNKNOWN)
+        return dict.fromkeys(DEFINITIONS, FOREIGN)
     stated, uncertain = deviations_mm(landmarks), doubts(landmarks)
-    return {name: _spread(name, stated, uncertain.keys(), repeated or {}) for name in DEFINITIONS}
+    found = {name: _spread(name, stated, uncertain.keys(), repeated or {}) for name in DEFINITIONS}
+    return found | dict.fromkeys(by_hand(landmarks), UNKNOWN)
 
 
 def _spread(name: str, stated: Limits, uncertain: Set[str], repeated: Limits) -> Spread:
@@ -152,7 +170,14 @@ def measure_foot(
 ) -> MeasuredFoot:
     """Measure a foot, and tell how far each measure may be off: `measure` and `spreads_of`."""
     spreads = spreads_of(landmarks, is_recorded=is_recorded, repeated=repeated)
-    return MeasuredFoot(measure(foot, landmarks), spreads)
+    return MeasuredFoot(measure(foot, landmarks), spreads, doubts(landmarks))
+
+
+def number_text(name: str, value: float) -> str:
+    """Return a value with the decimals of its measure."""
+    if DEFINITIONS[name].decimals == 2:
+        return Message("{value:.2f}", value=value)
+    return Message("{value:.1f}", value=value)
 
 
 def spread_text(name: str, limits_95: float | None) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -9,6 +11,7 @@ from typing import Any
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.recording.box import Box
+from insole_core.recording.capture_place import CapturePlace
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits
 from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
@@ -61,6 +64,12 @@ class ReferenceSystem:
     name: str
     markers: tuple[Marker, ...]
     feet: tuple[FootPlace, ...] = ()
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of its name and of where its markers are, to tell it from others."""
+        told = [(one.id, one.face, *map(float, one.position_mm)) for one in self.markers]
+        return hashlib.sha256(json.dumps([self.name, told]).encode()).hexdigest()
 
     def facing(self, faces: tuple[str, ...]) -> tuple[Marker, ...]:
         """Return the markers of the named groups, in order."""
@@ -258,6 +267,14 @@ class Session:
     def serials(self) -> tuple[str, ...]:
         """Serial numbers of the sensors, each once, sorted."""
         return tuple(sorted({view.sensor.serial for view in self.views}))
+
+    @property
+    def place(self) -> CapturePlace | None:
+        """Where it was captured; None where a sensor does not tell its serial number."""
+        if not all(self.serials):
+            return None
+        calibrated = max((view.sensor.calibrated_at for view in self.views), default="")
+        return CapturePlace(self.serials, self.manifest.reference_system.digest, calibrated)
 
     @property
     def feet(self) -> tuple[Session, ...]:

@@ -87,6 +87,14 @@ class Sensor:
             return KINECT_V1
         return DIRECT_DEPTH if self.baseline_mm is None else ACTIVE_STEREO
 
+    @property
+    def calibrated_at(self) -> str:
+        """When a part of it was calibrated last, ISO 8601; empty where nobody has noted it."""
+        moments = [step.made_at for step in self.calibration]
+        if self.correction is not None:
+            moments.append(self.correction.record.made_at)
+        return max(moments, default="")
+
     def calibrated(self, done: CalibrationRecord) -> Sensor:
         """Return the sensor with a step noted in place of the same step before."""
         others = (step for step in self.calibration if step.step != done.step)

@@ -8,7 +8,13 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint
+from insole_core.cases.case_record import (
+    Annotations,
+    CaseRecord,
+    FootRecord,
+    Found,
+    KeyPoint,
+)
 from insole_core.foot.alignment import PoseAngles, levelled, quarter_turned, turned
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import NAMES, Landmark, find_landmarks, with_places
@@ -56,12 +62,19 @@ class Marked(Protocol):
 def landmarks_of(record: Marked) -> dict[str, Landmark]:
     """Return the landmarks of a foot by name; empty before there is a foot.
 
-    A key point with the name of a landmark replaces the detected one.
+    A key point with the name of a landmark replaces the detected one; where that was only
+    confirmed, it is as sure as it was.
     """
     if record.foot is None:
         return {}
-    by_hand = {p.name: p.position_mm for p in record.annotations.key_points if p.name in NAMES}
-    return with_places(record.foot, find_landmarks(record.foot), by_hand)
+    points = [point for point in record.annotations.key_points if point.name in NAMES]
+    by_hand = {point.name: point.position_mm for point in points if point.found is None}
+    confirmed_ones = {
+        point.name: Landmark(np.array(point.position_mm), **vars(point.found))
+        for point in points
+        if point.found is not None
+    }
+    return with_places(record.foot, find_landmarks(record.foot), by_hand) | confirmed_ones
 
 
 def with_landmarks(record: CaseRecord) -> CaseRecord:
@@ -78,13 +91,20 @@ def with_landmarks(record: CaseRecord) -> CaseRecord:
 
 
 def confirmed(record: CaseRecord) -> Annotations:
-    """Return the annotations with all displayed landmarks as if set manually."""
+    """Return the annotations with all displayed landmarks fixed, each as sure as it was."""
     annotations = record.annotations
     for name, landmark in landmarks_of(record).items():
         if name in SHOWN:
             x, y, z = (round(float(value), 2) for value in landmark.point)
-            annotations = annotations.with_key_point(KeyPoint(name, (x, y, z)))
+            point = KeyPoint(name, (x, y, z), _found(landmark))
+            annotations = annotations.with_key_point(point)
     return annotations
+
+
+def _found(landmark: Landmark) -> Found | None:
+    if landmark.origin == "hand":
+        return None
+    return Found(landmark.confidence, landmark.deviation_mm, landmark.is_coarse)
 
 
 def found_anew(annotations: Annotations) -> Annotations:
@@ -183,7 +203,9 @@ def lying_anew(record: FootRecord, foot: Foot) -> FootRecord:
 
 
 def _moved_annotations(annotations: Annotations, step: FloatArray) -> Annotations:
-    points = tuple(KeyPoint(p.name, _point(step, p.position_mm)) for p in annotations.key_points)
+    points = tuple(
+        replace(p, position_mm=_point(step, p.position_mm)) for p in annotations.key_points
+    )
     plane = annotations.plane
     if plane is not None:
         plane = replace(plane, origin_mm=_point(step, plane.origin_mm))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
@@ -15,12 +15,15 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from insole_core.cases.scan_source import ScanSource
+from insole_core.errors import InputError
 from insole_core.export import paper
+from insole_core.foot.measure_table import MeasureRow, measure_table
 from insole_core.foot.measures import DEFINITIONS
-from insole_core.foot.spread import MeasuredFoot, explained, spread_text
+from insole_core.foot.spread import MeasuredFoot, explained, number_text, spread_text
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
-from insole_core.messages import Message, Translate
+from insole_core.messages import Message, Translate, joined
 
 PAPER_IN, WINDOW_IN = (9.0, 8.0), (9.0, 6.0)
 """Sizes of the drawing for the foot sheet, and for a window on a low screen."""
@@ -61,14 +64,20 @@ def draw_angles(
     Parameters
     ----------
     feet
-        A foot of which no leg was scanned is left out.
+        Of one whose leg was not scanned a sentence says so.
     path
         A file, or a buffer in memory.
     say
         Into the language of the picture.
     size_in
         Width and height of the picture, inches of 100 px.
+
+    Raises
+    ------
+    InputError
+        When there is no foot.
     """
+    check_any(feet)
     figure = Figure(figsize=size_in, layout="constrained")
     FigureCanvasAgg(figure)
     shown = {side: feet[side] for side in (Side.LEFT, Side.RIGHT) if side in feet}
@@ -80,6 +89,20 @@ def draw_angles(
     figure.savefig(path, format="png", dpi=100)
 
 
+def check_any(feet: Mapping[Side, MeasuredFoot]) -> None:
+    """Check that there is a foot to tell measures of.
+
+    Raises
+    ------
+    InputError
+    """
+    if not feet:
+        raise InputError(
+            "There is no foot with measures of its own: a mirror image has none; open a scan of "
+            "the foot first."
+        )
+
+
 def _draw_foot(axes: Axes, side: Side, foot: MeasuredFoot, say: Translate) -> None:
     axes.set(aspect="equal", xlim=(-85, 85), ylim=(-12, 272))
     axes.set_axis_off()
@@ -88,20 +111,20 @@ def _draw_foot(axes: Axes, side: Side, foot: MeasuredFoot, say: Translate) -> No
     if leans is None:
         axes.text(0, 90, say(Message("the leg was not scanned")), ha="center", color=_QUIET)
         return
-    outwards = side.medial_sign
+    medial = side.medial_sign
     axes.plot([-60, 60], [0, 0], color=_QUIET)
     for x, word in ((60, "medial"), (-60, "lateral")):
-        axes.text(x * outwards, -9, say(Message(word)), ha="center", color=_QUIET, fontsize=9)
-    _line(axes, 0.0, _LEG_LONG, outwards, color=_QUIET, linestyle="--")
-    _line(axes, leans.leg, _LEG_LONG, outwards, color=_LEG, linewidth=3)
+        axes.text(x * medial, -9, say(Message(word)), ha="center", color=_QUIET, fontsize=9)
+    _line(axes, 0.0, _LEG_LONG, medial, color=_QUIET, linestyle="--")
+    _line(axes, leans.leg, _LEG_LONG, medial, color=_LEG, linewidth=3)
     if leans.upright is not None:
-        _line(axes, leans.upright, _LEG_LONG, outwards, color=_QUIET, linestyle=":")
-        _arc(axes, (leans.upright, leans.leg), 122, outwards, (_LEG, "3"))
-    _arc(axes, (0.0, leans.leg), 95, outwards, (_LEG, "2"))
+        _line(axes, leans.upright, _LEG_LONG, medial, color=_QUIET, linestyle=":")
+        _arc(axes, (leans.upright, leans.leg), 122, medial, (_LEG, "3"))
+    _arc(axes, (0.0, leans.leg), 95, medial, (_LEG, "2"))
     if leans.heel is not None:
-        _line(axes, leans.heel, -_HEEL_LONG, outwards, color=_HEEL, linewidth=3)
-        _line(axes, leans.heel, 70, outwards, color=_HEEL, linestyle="--")
-        _arc(axes, (leans.heel, leans.leg), 66, outwards, (_HEEL, "1"))
+        _line(axes, leans.heel, -_HEEL_LONG, medial, color=_HEEL, linewidth=3)
+        _line(axes, leans.heel, 70, medial, color=_HEEL, linestyle="--")
+        _arc(axes, (leans.heel, leans.leg), 66, medial, (_HEEL, "1"))
     _tell(axes, foot, say)
 
 
@@ -121,13 +144,13 @@ def _leans(foot: MeasuredFoot) -> _Leans | None:
     return _Leans(leg, None if rear is None else rear + leg, None if lean is None else leg - lean)
 
 
-def _way(lean_deg: float, outwards: int) -> FloatArray:
+def _way(lean_deg: float, medial: int) -> FloatArray:
     turn = np.radians(_EXAGGERATED * lean_deg)
-    return np.array([outwards * np.sin(turn), np.cos(turn)])
+    return np.array([medial * np.sin(turn), np.cos(turn)])
 
 
-def _line(axes: Axes, lean_deg: float, long: float, outwards: int, **style: Any) -> None:
-    ends = np.stack([_ANKLE, _ANKLE + long * _way(lean_deg, outwards)])
+def _line(axes: Axes, lean_deg: float, long: float, medial: int, **style: Any) -> None:
+    ends = np.stack([_ANKLE, _ANKLE + long * _way(lean_deg, medial)])
     axes.plot(*ends.T, **style)
 
 
@@ -135,40 +158,86 @@ def _arc(
     axes: Axes,
     leans_deg: tuple[float, float],
     radius: float,
-    outwards: int,
+    medial: int,
     drawn: tuple[str, str],
 ) -> None:
     """Draw the arc of an angle, in its colour and with its number beside the leg."""
     color, number = drawn
-    way = [_ANKLE + radius * _way(lean, outwards) for lean in np.linspace(*leans_deg, _ARC_STEPS)]
+    way = [_ANKLE + radius * _way(lean, medial) for lean in np.linspace(*leans_deg, _ARC_STEPS)]
     axes.plot(*np.array(way).T, color=color, linewidth=1.2)
-    beside = 7.0 * outwards * np.sign(leans_deg[1] - leans_deg[0] or 1.0)
+    beside = 7.0 * medial * np.sign(leans_deg[1] - leans_deg[0] or 1.0)
     axes.text(way[-1][0] + beside, way[-1][1], number, color=color, ha="center", va="center")
 
 
 def value_text(name: str, foot: MeasuredFoot) -> str:
-    """Return a measure of a foot with its ± and unit, an angle to the side that it is."""
-    value, definition = foot.values.get(name), DEFINITIONS[name]
+    """Return a measure of a foot with its ± and unit, an angle to the side that it is.
+
+    As in the window, "≈" precedes an uncertain one.
+    """
+    value = foot.values.get(name)
     if value is None:
         return Message("not scanned")
-    limits = spread_text(name, foot.spread(name).limits_95)
-    if definition.unit == "degrees":
-        word = Message(definition.positive if value >= 0 else definition.negative)
-        return Message("{value:.1f} {limits}° {word}", value=abs(value), limits=limits, word=word)
-    if definition.unit == "mm":
-        return Message("{value:.1f} {limits} mm", value=value, limits=limits)
-    if definition.decimals == 2:
-        return Message("{value:.2f} {limits}", value=value, limits=limits)
-    return Message("{value:.1f} {limits}", value=value, limits=limits)
+    text = _with_unit(name, value, spread_text(name, foot.spread(name).limits_95))
+    return Message("≈ {value}", value=text) if name in foot.doubts else text
+
+
+def _with_unit(name: str, value: float, limits: str) -> str:
+    definition = DEFINITIONS[name]
+    if definition.unit != "degrees":
+        number = number_text(name, value)
+        if definition.unit == "mm":
+            return Message("{value} {limits} mm", value=number, limits=limits)
+        return Message("{value} {limits}", value=number, limits=limits)
+    number = number_text(name, abs(value))
+    if round(value, definition.decimals) == 0:
+        return Message("{value} {limits}°", value=number, limits=limits)
+    word = Message(definition.positive if value > 0 else definition.negative)
+    return Message("{value} {limits}° {word}", value=number, limits=limits, word=word)
+
+
+def _told(name: str, foot: MeasuredFoot) -> str:
+    """Return a measure with why it is uncertain, if it is."""
+    text = value_text(name, foot)
+    if name not in foot.doubts:
+        return text
+    return Message("{value}: {reason}", value=text, reason=foot.doubts[name])
+
+
+def _difference_text(row: MeasureRow) -> str:
+    """Return the left measure minus the right one, with its ± and whether it is more than that."""
+    assert row.difference is not None
+    unit = {"mm": " mm", "degrees": "°", "": ""}[row.unit]
+    difference = round(row.difference, DEFINITIONS[row.key].decimals) + 0.0  # never "-0.0"
+    sign = "+" if difference > 0 else ""
+    number = number_text(row.key, difference)
+    limits = spread_text(row.key, row.difference_limits)
+    text = Message(
+        "{sign}{value} {limits}{unit}", sign=sign, value=number, limits=limits, unit=unit
+    )
+    if row.is_within_error:
+        return Message("{difference}: within the error", difference=text)
+    return text
+
+
+def _captured(source: ScanSource | None) -> str:
+    """Return the day of a scan (UTC), as far as it is known."""
+    day = "" if source is None else source.recorded_at[:10] or source.scanned_on
+    return day or Message("not known")
 
 
 def write_foot_sheet(
-    feet: Mapping[Side, MeasuredFoot], path: Path, say: Translate = str, identification: str = ""
+    feet: Mapping[Side, MeasuredFoot],
+    sources: Mapping[Side, ScanSource],
+    path: Path,
+    say: Translate = str,
+    identification: str = "",
 ) -> None:
     """Write the measures of one or both feet as PDF, below a drawing of their angles.
 
     Parameters
     ----------
+    sources
+        The scans of the feet.
     identification
         Whose feet they are, such as a pseudonym; empty for nothing.
     say
@@ -176,27 +245,44 @@ def write_foot_sheet(
 
     Raises
     ------
+    InputError
+        When there is no foot.
     OutputError
         When the place cannot be written.
     """
     picture = io.BytesIO()
     draw_angles(feet, picture, say)
-    head = {say(Message("date")): date.today().isoformat()}
+    sections = [
+        (say(title), {say(key): say(text) for key, text in facts.items()})
+        for title, facts in _sections(feet, sources, identification)
+    ]
+    paper.write_report(say(Message("Measures of the feet")), sections, picture.getvalue(), path)
+
+
+def _sections(
+    feet: Mapping[Side, MeasuredFoot], sources: Mapping[Side, ScanSource], identification: str
+) -> Iterator[tuple[str, dict[str, str]]]:
+    """Yield title and facts of each part of the sheet."""
+    head: dict[str, str] = {Message("printed"): date.today().isoformat()}
     if identification:
-        head[say(Message("pseudonym"))] = identification
-    spreads = [
+        head[Message("pseudonym")] = identification
+    spreads = (
         foot.spread(name)
         for foot in feet.values()
         for name, value in foot.values.items()
         if value is not None
-    ]
-    told = {say(Message("error")): "; ".join(map(say, explained(spreads)))}
-    sections = [(say(Message("What")), {**head, **told})]
+    )
+    head[Message("uncertainty")] = joined(explained(spreads), "; ")
+    yield Message("What"), head
     for side, foot in feet.items():
-        facts = {
-            say(name.removesuffix("_deg").replace("_", " ")): say(value_text(name, foot))
-            for name, value in foot.values.items()
-            if value is not None
-        }
-        sections.append((say(Message("{side} foot", side=str(side))), facts))
-    paper.write_report(say(Message("Measures of the feet")), sections, picture.getvalue(), path)
+        told = {_name(n): _told(n, foot) for n, value in foot.values.items() if value is not None}
+        captured: dict[str, str] = {Message("captured"): _captured(sources.get(side))}
+        yield Message("{side} foot", side=str(side)), captured | told
+    rows = [row for row in measure_table(feet) if row.difference is not None]
+    if rows:
+        differences = {_name(row.key): _difference_text(row) for row in rows}
+        yield Message("Left foot minus right foot"), differences
+
+
+def _name(key: str) -> str:
+    return key.removesuffix("_deg").replace("_", " ")

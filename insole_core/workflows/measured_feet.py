@@ -32,5 +32,5 @@ def measured_feet(feet: Iterable[FootRecord]) -> dict[Side, MeasuredFoot]:
 
 def _measured(foot: Foot, landmarks: Landmarks, source: ScanSource) -> MeasuredFoot:
     is_recorded = source.kind == "session" or foot.mesh.touches is not None
-    repeated = repeated_limits(source.sensors)
+    repeated = repeated_limits(source.place)
     return measure_foot(foot, landmarks, is_recorded=is_recorded, repeated=repeated)

@@ -150,7 +150,7 @@ class ScannedFoot:
 def session_source(path: Path, session: Session) -> ScanSource:
     """Return the scan record of a session that was read from `path`."""
     source = _source("session", path, session.manifest.recorded_at)
-    return replace(source, sensors=tuple(filter(None, session.serials)))
+    return replace(source, place=session.place)
 
 
 def mesh_source(path: Path, form: Form = Form.FOOT) -> ScanSource:

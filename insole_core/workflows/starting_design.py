@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.case_record import Annotations, FootRecord, KeyPoint, Patient, Point
+from insole_core.cases.case_record import Annotations, FootRecord, Patient, Point
 from insole_core.errors import DesignError, InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
@@ -220,7 +220,7 @@ def mirrored_foot(record: FootRecord, stamp: Callable[[Correction], Correction])
 
 
 def _mirrored(annotations: Annotations) -> Annotations:
-    points = (KeyPoint(p.name, _reflected(p.position_mm)) for p in annotations.key_points)
+    points = (replace(p, position_mm=_reflected(p.position_mm)) for p in annotations.key_points)
     plane = annotations.plane
     if plane is not None:
         plane = replace(plane, origin_mm=_reflected(plane.origin_mm), roll_deg=-plane.roll_deg)

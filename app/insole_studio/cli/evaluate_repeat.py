@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from insole_core.errors import CalibrationError
 from insole_core.progress import Progress
 from insole_studio.cli.report_arguments import (
     add_limit_arguments,
@@ -13,7 +14,6 @@ from insole_studio.cli.report_arguments import (
     check_reports,
     conclude,
 )
-from insole_studio.cli.sensor_arguments import add_store_argument, store_folder
 
 NAME = "repeat"
 HELP = "how far the measures of one foot scatter over captures of it, kept as the ± of this place"
@@ -27,7 +27,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     add_limit_arguments(parser, judged_by_default=False)
     add_report_argument(parser)
-    add_store_argument(parser)
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
@@ -36,11 +35,16 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.evaluation.repeat_section import repeat_section
     from insole_core.workflows.calibration.repeat_tests import RepeatTests
     from insole_core.workflows.calibration.repeated_captures import repeat_captures
+    from insole_core.workflows.calibration.sensor_store import sensors_folder_of_user
 
     repeated = repeat_captures(arguments.sessions, progress.part(0.0, 0.9))
     for warning in repeated.warnings:
         print(f"Warning: {warning}", file=sys.stderr)
     progress.step(0.9, "Writing the report")
-    conclude(repeat_section(repeated.evaluation), ", ".join(repeated.serials), arguments)
-    path = RepeatTests(store_folder(arguments)).keep(repeated.test)
+    try:
+        conclude(repeat_section(repeated.evaluation), ", ".join(repeated.place.sensors), arguments)
+    except CalibrationError:
+        print("The test is not kept: the ± of measures stay as they were.", file=sys.stderr)
+        raise
+    path = RepeatTests(sensors_folder_of_user()).keep(repeated.test)
     print(f"From now on the ± of measures with these sensors: {path}.")

@@ -69,9 +69,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         if csv_file:
             write_text(_csv(rows), csv_file)
         if sheet_file:
-            _write_sheet(
-                {s.foot.side: one for s, one in zip(feet, measured, strict=True)}, sheet_file
-            )
+            _write_sheet(feet, measured, sheet_file)
     progress.step(1.0, f"Done: {arguments.report}")
 
 
@@ -91,10 +89,11 @@ def _table(feet: Sequence[ScannedFoot], measured: Sequence[MeasuredFoot]) -> lis
     return measure_table({s.foot.side: one for s, one in zip(feet, measured, strict=True)})
 
 
-def _write_sheet(feet: dict[Side, MeasuredFoot], path: Path) -> None:
+def _write_sheet(feet: Sequence[ScannedFoot], measured: Sequence[MeasuredFoot], path: Path) -> None:
     from insole_core.workflows.foot_sheet import write_foot_sheet
 
-    write_foot_sheet(feet, path)
+    told = {one.foot.side: of_it for one, of_it in zip(feet, measured, strict=True)}
+    write_foot_sheet(told, {one.foot.side: one.source for one in feet}, path)
 
 
 def _csv(rows: Sequence[MeasureRow]) -> str:

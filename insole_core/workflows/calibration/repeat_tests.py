@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import logging
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from insole_core.evaluation.repeat import Repeated
 from insole_core.files.atomic import make_output_folder, write_text
 from insole_core.foot.spread import Limits
 from insole_core.json_object import JsonObject
+from insole_core.recording.capture_place import CapturePlace, place_from_json, place_to_json
 from insole_core.recording.session import Session
 from insole_core.workflows.calibration.sensor_store import sensors_folder_of_user
 
@@ -32,8 +33,8 @@ class RepeatTest:
 
     Parameters
     ----------
-    serials
-        Of the sensors that captured together.
+    place
+        Of the captures; it says nothing of others.
     tested_at
         ISO 8601, UTC.
     captures
@@ -41,7 +42,7 @@ class RepeatTest:
         By the names in `insole_core.foot.measures.DEFINITIONS`.
     """
 
-    serials: frozenset[str]
+    place: CapturePlace
     tested_at: str
     captures: int
     measures: Mapping[str, Repeated]
@@ -64,17 +65,16 @@ class RepeatTests:
     def __init__(self, folder: Path) -> None:
         self.path = folder / REPEAT_TESTS_FILE
 
-    def of(self, serials: Iterable[str]) -> RepeatTest | None:
-        """Return the test of exactly these sensors; None where there is none.
+    def of(self, place: CapturePlace) -> RepeatTest | None:
+        """Return the test of exactly these sensors, calibrated so, in this frame; else None.
 
         Raises
         ------
         InputError
             When the file cannot be read, or is of a newer version.
         """
-        wanted = frozenset(serials)
         tests = map(_test, self._tests())
-        return next((test for test in tests if wanted and test.serials == wanted), None)
+        return next((test for test in tests if test.place == place), None)
 
     def keep(self, test: RepeatTest) -> Path:
         """Store a test in place of the earlier one of the same sensors; all else stays.
@@ -86,11 +86,8 @@ class RepeatTests:
         OutputError
             When the place cannot be written.
         """
-        others = [
-            item.values
-            for item in self._tests()
-            if frozenset(item.texts("serials")) != test.serials
-        ]
+        sensors = test.place.sensors
+        others = [one.values for one in self._tests() if _place(one).sensors != sensors]
         root = JsonObject.read(self.path).values if self.path.exists() else {}
         values = {**root, "format": _FORMAT, "version": 1, "tests": [*others, _to_json(test)]}
         make_output_folder(self.path.parent)
@@ -102,21 +99,26 @@ class RepeatTests:
             return []
         root = JsonObject.read(self.path)
         root.check_format(_FORMAT)
-        return root.objects("tests")
+        return [test for test in root.objects("tests") if test.has("place")]  # others hold nowhere
 
 
-def repeated_limits(serials: Iterable[str], sensors: Path | None = None) -> Limits:
-    """Return what the repeat test of a set of sensors found; nothing where there is none.
+def repeated_limits(place: CapturePlace | None, sensors: Path | None = None) -> Limits:
+    """Return what the repeat test of a place found; nothing where there is none.
 
-    A file that cannot be read is told in the log: the ± by simulation counts then, and says so.
+    It holds until one of the sensors is calibrated again, and for its frame of markers only. A file
+    that cannot be read is told in the log: the ± by simulation counts then, and says so.
 
     Parameters
     ----------
+    place
+        None where it is not known.
     sensors
         Folder of the calibrated sensors, by default this user's.
     """
+    if place is None:
+        return {}
     try:
-        test = RepeatTests(sensors or sensors_folder_of_user()).of(serials)
+        test = RepeatTests(sensors or sensors_folder_of_user()).of(place)
     except InputError as error:
         log.warning("the repeat tests cannot be read: %s", error)
         return {}
@@ -124,17 +126,17 @@ def repeated_limits(serials: Iterable[str], sensors: Path | None = None) -> Limi
 
 
 def repeated_limits_of(session: Session) -> Limits:
-    """Return what the repeat test of the sensors of a session found."""
-    return repeated_limits(session.serials)
+    """Return what the repeat test of the place of a session found."""
+    return repeated_limits(session.place)
 
 
-def _is_of(item: JsonObject, serials: frozenset[str]) -> bool:
-    return frozenset(item.texts("serials")) == serials
+def _place(item: JsonObject) -> CapturePlace:
+    return place_from_json(item.object("place"))
 
 
 def _to_json(test: RepeatTest) -> dict[str, Any]:
     return {
-        "serials": sorted(test.serials),
+        "place": place_to_json(test.place),
         "tested_at": test.tested_at,
         "captures": test.captures,
         "measures": {
@@ -152,7 +154,7 @@ def _test(item: JsonObject) -> RepeatTest:
     measures = item.object("measures")
     found = {name: measures.object(name) for name in measures.values}
     return RepeatTest(
-        frozenset(item.texts("serials")),
+        _place(item),
         item.date("tested_at"),
         item.integer("captures", 2, 1000),
         {

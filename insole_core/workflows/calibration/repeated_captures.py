@@ -23,6 +23,7 @@ from insole_core.foot.measures import measure
 from insole_core.geometry.side import BOTH
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
+from insole_core.recording.capture_place import CapturePlace
 from insole_core.workflows.calibration.chain_proof import check_once
 from insole_core.workflows.calibration.repeat_tests import RepeatTest
 from insole_core.workflows.make_foot import MeasuredSession, make_foot, open_session
@@ -35,21 +36,21 @@ class RepeatedCaptures:
     Parameters
     ----------
     evaluation
-    serials
-        Of the sensors, sorted.
+    place
+        Of all of them.
     warnings
         Of the reconstructions, a sentence each.
     """
 
     evaluation: RepeatEvaluation
-    serials: tuple[str, ...]
+    place: CapturePlace
     warnings: tuple[str, ...]
 
     @property
     def test(self) -> RepeatTest:
         """What the place keeps of it."""
         return RepeatTest(
-            frozenset(self.serials),
+            self.place,
             datetime.now(UTC).isoformat(timespec="seconds"),
             len(self.evaluation.captures),
             self.evaluation.measures,
@@ -87,7 +88,8 @@ def repeat_captures(paths: Sequence[Path], progress: Progress = SILENT) -> Repea
         )
     check_once(paths)
     opened = [open_session(path) for path in paths]
-    if not all(opened[0].session.serials):
+    place = opened[0].session.place
+    if place is None:
         raise UsageError(
             "{path} does not say the serial numbers of its sensors, so that a test of them would "
             "hold for any; capture with sensors that tell theirs.",
@@ -106,7 +108,7 @@ def repeat_captures(paths: Sequence[Path], progress: Progress = SILENT) -> Repea
             for warning in scan.warnings
         ]
     evaluation = evaluate_repeat(captures, progress.part(0.8, 1.0))
-    return RepeatedCaptures(evaluation, opened[0].session.serials, tuple(warnings))
+    return RepeatedCaptures(evaluation, place, tuple(warnings))
 
 
 def _check_alike(first: MeasuredSession, other: MeasuredSession) -> None:
@@ -140,6 +142,13 @@ def _check_alike(first: MeasuredSession, other: MeasuredSession) -> None:
         raise UsageError(
             "{first} and {other} were captured in two different frames of markers; test each place "
             "on its own.",
+            first=first.path,
+            other=other.path,
+        )
+    if first.session.place != other.session.place:
+        raise UsageError(
+            "A sensor was calibrated between {first} and {other}; capture them anew with one "
+            "calibration.",
             first=first.path,
             other=other.path,
         )

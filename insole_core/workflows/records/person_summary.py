@@ -14,7 +14,7 @@ from insole_core.cases.case_record import Variant
 from insole_core.evaluation.report import Plot, Report, ReportSection, Table
 from insole_core.export.paper import paper_texts
 from insole_core.foot.measures import DEFINITIONS
-from insole_core.foot.spread import explained, spread_text
+from insole_core.foot.spread import Spread, explained, number_text, spread_text
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.mesh import TriangleMesh
@@ -185,7 +185,7 @@ def _visit_section(
     lines += [line for photo in dossier.photos for line in _photo_lines(photo, texts)]
     measures = stored_measures(visit.measures)
     rows = tuple((_measure_name(one, texts), _measure_text(one, texts)) for one in measures)
-    lines += [texts.translate(said) for said in explained(one.spread for one in measures)]
+    lines += [texts.translate(said) for said in explained(_spreads(measures))]
     tables = (Table(texts["measures"], (texts["measure"], texts["value"]), rows),) if rows else ()
     plots = (_plot(pictures, texts),) if pictures else ()
     title = texts["visit"].replace("{day}", day)
@@ -277,10 +277,15 @@ def _measure_name(measure: StoredMeasure, texts: _Texts) -> str:
     return f"{side}{name}{unit}"
 
 
+def _spreads(measures: Iterable[StoredMeasure]) -> Iterator[Spread]:
+    """Yield the ± that are written: what the clinic measured in its own way has none."""
+    return (one.spread for one in measures if one.name in DEFINITIONS)
+
+
 def _measure_text(measure: StoredMeasure, texts: _Texts) -> str:
-    value = Message("{value:g}", value=measure.value)
     if measure.name not in DEFINITIONS:
-        return texts.translate(value)
+        return texts.translate(Message("{value:g}", value=measure.value))
+    value = number_text(measure.name, measure.value)
     limits = spread_text(measure.name, measure.spread.limits_95)
     return texts.translate(Message("{value} {limits}", value=value, limits=limits))
 

@@ -32,6 +32,10 @@
             <translation>”{start}…” har {count} tecken, och papperen rymmer högst {most}; förkorta texten.</translation>
         </message>
         <message>
+            <source>"{text}" is no size of a shoe from {least:g} to {greatest:g}; the outline stays as it is.</source>
+            <translation>"{text}" är ingen skostorlek från {least:g} till {greatest:g}; konturen förblir som den är.</translation>
+        </message>
+        <message>
             <source>"{text}" names no view and sensor; write for example left=A00362A.</source>
             <translation>”{text}” anger ingen vy och sensor; skriv till exempel left=A00362A.</translation>
         </message>
@@ -238,6 +242,10 @@
         <message>
             <source>A router mills the insole from a block, and none is chosen; choose the block.</source>
             <translation>En fräsmaskin fräser inlägget ur ett block, och inget är valt; välj blocket.</translation>
+        </message>
+        <message>
+            <source>A sensor was calibrated between {first} and {other}; capture them anew with one calibration.</source>
+            <translation>En sensor kalibrerades mellan {first} och {other}; avbilda dem på nytt med en och samma kalibrering.</translation>
         </message>
         <message>
             <source>A shared record needs the folder of its large files, on a share that all stations reach; choose it.</source>
@@ -1360,6 +1368,14 @@
             <translation>Hälhöjning</translation>
         </message>
         <message>
+            <source>Heel or toes of this foot were not scanned: its length is a guess, so no size is proposed. Put in the EU size of the shoe.</source>
+            <translation>Fotens häl eller tår skannades inte: längden är en gissning, så ingen storlek föreslås. Skriv in skons EU-storlek.</translation>
+        </message>
+        <message>
+            <source>Heel or toes of this foot were not scanned: its length is a guess, so no size is proposed. Put in the size of the shoe.</source>
+            <translation>Fotens häl eller tår skannades inte: längden är en gissning, så ingen storlek föreslås. Skriv in skons storlek.</translation>
+        </message>
+        <message>
             <source>Heel or toes were pressed in by {depth_mm:.0f} mm only: the length is some millimetres smaller than that of the foot.</source>
             <translation>Häl eller tår trycktes ner bara {depth_mm:.0f} mm: längden är några millimeter mindre än fotens.</translation>
         </message>
@@ -1658,6 +1674,10 @@
         <message>
             <source>Leaving one wall out needs captures at {least} distances or more, but there are {count}; capture more.</source>
             <translation>För att utelämna en vägg behövs tagningar på {least} avstånd eller fler, men det finns {count}; ta fler.</translation>
+        </message>
+        <message>
+            <source>Left foot minus right foot</source>
+            <translation>Vänster fot minus höger fot</translation>
         </message>
         <message>
             <source>Left insole</source>
@@ -2778,6 +2798,10 @@
         <message>
             <source>Simulating view {name}</source>
             <translation>Simulerar vyn {name}</translation>
+        </message>
+        <message>
+            <source>Size of the shoe</source>
+            <translation>Skons storlek</translation>
         </message>
         <message>
             <source>Size of the shoe, which decides the length</source>
@@ -4316,6 +4340,10 @@
             <translation>Mappen {folder} finns inte; ange mappen med tagningarna av väggen.</translation>
         </message>
         <message>
+            <source>There is no foot with measures of its own: a mirror image has none; open a scan of the foot first.</source>
+            <translation>Det finns ingen fot med egna mått: en spegelbild har inga; öppna först en skanning av foten.</translation>
+        </message>
+        <message>
             <source>There is no frame {number}; choose one from 1 to {count}.</source>
             <translation>Det finns ingen bild {number} i serien; välj en från 1 till {count}.</translation>
         </message>
@@ -5362,6 +5390,10 @@
         <message>
             <source>capture</source>
             <translation>avbildning</translation>
+        </message>
+        <message>
+            <source>captured</source>
+            <translation>avbildad</translation>
         </message>
         <message>
             <source>cast</source>
@@ -7104,6 +7136,10 @@
             <translation>inte undersökt, eftersom det inte finns någon skärm</translation>
         </message>
         <message>
+            <source>not known</source>
+            <translation>okänd</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>inte antecknat</translation>
         </message>
@@ -7362,6 +7398,10 @@
         <message>
             <source>pressure sore</source>
             <translation>trycksår</translation>
+        </message>
+        <message>
+            <source>printed</source>
+            <translation>utskrivet</translation>
         </message>
         <message>
             <source>pronation</source>
@@ -8192,6 +8232,10 @@
             <translation>sår</translation>
         </message>
         <message>
+            <source>uncertainty</source>
+            <translation>mätosäkerhet</translation>
+        </message>
+        <message>
             <source>undercut</source>
             <translation>underskärning</translation>
         </message>
@@ -8570,6 +8614,10 @@
         <message>
             <source>{deviation:.3f} mm at most</source>
             <translation>högst {deviation:.3f} mm</translation>
+        </message>
+        <message>
+            <source>{difference}: within the error</source>
+            <translation>{difference}: inom felet</translation>
         </message>
         <message>
             <source>{distance} ahead of the heads</source>
@@ -9952,6 +10000,10 @@
             <translation>{side}: {work}</translation>
         </message>
         <message>
+            <source>{sign}{value} {limits}{unit}</source>
+            <translation>{sign}{value} {limits}{unit}</translation>
+        </message>
+        <message>
             <source>{size:.1f} MB on this computer</source>
             <translation>{size:.1f} MB på den här datorn</translation>
         </message>
@@ -10004,28 +10056,24 @@
             <translation>{value:.0f} cm²</translation>
         </message>
         <message>
-            <source>{value:.1f} mm</source>
-            <translation>{value:.1f} mm</translation>
+            <source>{value:.1f}</source>
+            <translation>{value:.1f}</translation>
         </message>
         <message>
-            <source>{value:.1f} {limits}</source>
-            <translation>{value:.1f} {limits}</translation>
+            <source>{value:.1f} mm</source>
+            <translation>{value:.1f} mm</translation>
         </message>
         <message>
             <source>{value:.1f} {limits} mm</source>
             <translation>{value:.1f} {limits} mm</translation>
         </message>
         <message>
-            <source>{value:.1f} {limits}° {word}</source>
-            <translation>{value:.1f} {limits}° {word}</translation>
+            <source>{value:.2f}</source>
+            <translation>{value:.2f}</translation>
         </message>
         <message>
             <source>{value:.2f} mm</source>
             <translation>{value:.2f} mm</translation>
-        </message>
-        <message>
-            <source>{value:.2f} {limits}</source>
-            <translation>{value:.2f} {limits}</translation>
         </message>
         <message>
             <source>{value:g}</source>
@@ -10074,6 +10122,22 @@
         <message>
             <source>{value} {limits}</source>
             <translation>{value} {limits}</translation>
+        </message>
+        <message>
+            <source>{value} {limits} mm</source>
+            <translation>{value} {limits} mm</translation>
+        </message>
+        <message>
+            <source>{value} {limits}°</source>
+            <translation>{value} {limits}°</translation>
+        </message>
+        <message>
+            <source>{value} {limits}° {word}</source>
+            <translation>{value} {limits}° {word}</translation>
+        </message>
+        <message>
+            <source>{value}: {reason}</source>
+            <translation>{value}: {reason}</translation>
         </message>
         <message>
             <source>{view} is left out: {reason}.</source>
@@ -10168,8 +10232,12 @@
             <translation>{zone}: {percent:.0f} %</translation>
         </message>
         <message>
-            <source>± ?: not known, as of another scanner's file</source>
-            <translation>± ?: inte känt, som för en annan skanners fil</translation>
+            <source>± ?: not known for this value</source>
+            <translation>± ?: okänt för detta värde</translation>
+        </message>
+        <message>
+            <source>± ?: not known of another scanner's file</source>
+            <translation>± ?: okänt för en annan skanners fil</translation>
         </message>
         <message>
             <source>± {limits:.1f}</source>
@@ -10194,6 +10262,10 @@
         <message>
             <source>“{zone}”</source>
             <translation>”{zone}”</translation>
+        </message>
+        <message>
+            <source>≈ {value}</source>
+            <translation>≈ {value}</translation>
         </message>
     </context>
 </TS>

@@ -7,9 +7,10 @@ from dataclasses import replace
 import pytest
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.landmarks import Landmarks, find_landmarks
+from insole_core.foot.landmarks import Landmark, Landmarks, find_landmarks
 from insole_core.foot.measures import DEFINITIONS, deviations_mm
 from insole_core.foot.spread import (
+    FOREIGN,
     UNKNOWN,
     SpreadSource,
     explained,
@@ -28,11 +29,15 @@ def outlined(left_foot: Foot) -> Landmarks:
 
 def test_nothing_is_known_of_the_file_of_another_scanner(left_foot: Foot) -> None:
     measured = measure_foot(left_foot, find_landmarks(left_foot), is_recorded=False)
-    assert set(measured.spreads.values()) == {UNKNOWN}
+    assert set(measured.spreads.values()) == {FOREIGN}
     told = measured.limits_json(["foot_length", "navicular_height"])
-    assert told == {"limits_95": {"foot_length": None}, "limits_by": {"foot_length": "unknown"}}
+    assert told == {
+        "limits_95": {"foot_length": None},
+        "limits_by": {"foot_length": "another scanner"},
+    }
     assert spread_text("foot_length", None) == "± ?"
-    assert "another scanner" in explained([UNKNOWN, UNKNOWN])[0]
+    assert explained([FOREIGN, FOREIGN]) == ["± ?: not known of another scanner's file"]
+    assert explained([UNKNOWN]) == ["± ?: not known for this value"]
 
 
 def test_a_recorded_foot_has_the_limits_of_simulated_captures(outlined: Landmarks) -> None:
@@ -68,3 +73,25 @@ def test_the_repeat_test_of_the_place_counts_where_the_foot_was_seen_as_in_it(
     assert badly_seen["foot_length"].limits_95 > 2
     guessed = {**outlined, "pternion": replace(heel, deviation_mm=None)}
     assert spreads_of(guessed, is_recorded=True, repeated=tested)["foot_length"] == UNKNOWN
+
+
+MOVED = [
+    ("toe_tip_2", {"foot_length", "ball_length", "ball_width_across", "shoe_size_eu"}),
+    ("heel_medial", {"heel_width"}),
+    ("arch_apex", {"arch_height"}),
+    ("achilles_upper", {"rearfoot_angle_deg", "achilles_angle_deg", "achilles_lean_deg"}),
+]
+
+
+@pytest.mark.parametrize(("name", "lost"), MOVED)
+def test_what_rests_on_a_place_set_by_hand_has_no_limits(
+    outlined: Landmarks, name: str, lost: set[str]
+) -> None:
+    tested = dict.fromkeys(DEFINITIONS, 0.4)
+    moved = {**outlined, name: Landmark(outlined["pternion"].point, 1.0, "hand")}
+    before = spreads_of(outlined, is_recorded=True, repeated=tested)
+    found = spreads_of(moved, is_recorded=True, repeated=tested)
+    changed = {key for key in DEFINITIONS if found[key] != before[key]}
+    assert lost <= changed
+    assert {found[key] for key in changed} == {UNKNOWN}
+    assert not changed & ({"heel_width", "ball_width", "ball_girth"} - lost)

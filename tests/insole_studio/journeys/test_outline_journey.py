@@ -12,6 +12,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from insole_core.foot import measures
 from insole_core.insole.outline.outline_drag import drag_weights
 from insole_core.insole.prescription.outline import Outline
 from insole_core.insole.primitives.outline_curve import evenly_spread, smoothed_along
@@ -217,7 +218,10 @@ def choose(app: Application, source: str) -> None:
     field.activated.emit(field.currentIndex())
 
 
-def test_the_size_of_the_shoe_is_proposed(opened: Application) -> None:
+def test_the_size_of_the_shoe_is_proposed(
+    opened: Application, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(measures, "is_length_seen", lambda _landmarks: True)
     choose(opened, "shoe_size")
     # (250 + 15) mm / 6.67 mm = 39.75, to the half.
     assert outline(opened).shoe_size_eu == 40.0

@@ -10,6 +10,7 @@ from canned_questions import CannedQuestions
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from insole_core.foot import measures
 from insole_core.formats.stl import write_stl
 from insole_core.geometry.side import Side
 from insole_studio.app.bootstrap import Application
@@ -33,6 +34,12 @@ def dialog(opened: Application) -> ShoeDialog:
     return shown
 
 
+@pytest.fixture
+def length_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Take the foot, which has no toes, for one whose length is known."""
+    monkeypatch.setattr(measures, "is_length_seen", lambda _landmarks: True)
+
+
 def type_in(field: object, text: str) -> None:
     field.setFocus()
     field.selectAll()
@@ -40,13 +47,13 @@ def type_in(field: object, text: str) -> None:
     QTest.keyClick(field, Qt.Key.Key_Tab)
 
 
+@pytest.mark.usefixtures("length_seen")
 def test_a_shoe_by_size_is_trimmed_to_and_undone(
     opened: Application, dialog: ShoeDialog, settle: Settle
 ) -> None:
     pick(dialog.kind, "size")
-    usual = dialog.size_field.value()
+    assert dialog.size_field.value() == 40.0  # (250 + 15) mm / 6.67 mm, to the half
     type_in(dialog.size_field, "36")
-    assert usual > 36
     assert "wider than the shoe EU 36, regular" in dialog.note.text()
     dialog.trim.click()
     assert "wider" not in dialog.note.text()
@@ -72,6 +79,39 @@ def test_a_size_that_does_not_exist_cannot_be_used(dialog: ShoeDialog) -> None:
     assert "goes from 16 to 50" in dialog.note.text()
     assert not dialog.take_button.isEnabled()
     dialog.reject()
+
+
+def test_no_size_follows_from_a_length_that_is_a_guess(dialog: ShoeDialog) -> None:
+    """The foot on the bench has no toes."""
+    pick(dialog.kind, "size")
+    assert "no size is proposed" in dialog.note.text()
+    assert not dialog.take_button.isEnabled()
+    type_in(dialog.size_field, "41")
+    assert "no size is proposed" not in dialog.note.text()
+    assert dialog.take_button.isEnabled()
+    dialog.reject()
+
+
+def test_the_size_of_an_outline_is_asked_for_where_the_length_is_a_guess(
+    opened: Application, questions: CannedQuestions
+) -> None:
+    def choose() -> None:
+        fields = opened.stage.parameters.findChildren(ComboBox)
+        pick(next(c for c in fields if c.property("key") == "outline.source"), "shoe_size")
+
+    def outline() -> tuple[str, float | None]:
+        found = opened.case.record.design.outline
+        return found.source, found.shoe_size_eu
+
+    choose()  # and give it up
+    assert "no size is proposed" in questions.asked[-1]
+    assert outline() == ("foot", None)
+    questions.given = {"size": "410"}
+    choose()
+    assert outline() == ("foot", None)
+    questions.given = {"size": "41,5"}
+    choose()
+    assert outline() == ("shoe_size", 41.5)
 
 
 @pytest.mark.parametrize("is_right", [False, True])

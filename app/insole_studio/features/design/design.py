@@ -94,6 +94,8 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
     points = tools.tools[KeyPointTool.key]
     assert isinstance(points, KeyPointTool)
     points.ask_text = measures.ask_text
+    shoe = ShoeActions(services)
+    stage.ask_size = shoe.ask_size
     edit, side_by_side = EditActions(case, tools), SideBySideActions(case, stage)
     return Design(
         stage=stage,
@@ -120,6 +122,6 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
             stage.materials,
         ),
         plantar=PlantarActions(services, stage.plantar, side_by_side, edit),
-        shoe=ShoeActions(services),
+        shoe=shoe,
         load=LoadActions(services, stage.load, side_by_side),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -98,6 +98,8 @@ class DesignStage(QObject):
         """Whether the section followed the pointer, and whether its tool was taken."""
         self._shown_beside = Beside.NOTHING
         self.linked = True
+        self.ask_size: Callable[[], float | None] | None = None
+        """Asks for the size of a shoe that nothing proposes; None until it is set."""
         self._before_posting: dict[Subject, ViewCamera] = {}
         self._fit_when_shown = False
         self._keeps_focus = False
@@ -154,6 +156,7 @@ class DesignStage(QObject):
             plantar=self.plantar,
             materials=self.materials,
             request_action=self.action_requested.emit,
+            ask_size=lambda: None if self.ask_size is None else self.ask_size(),
         )
         self._section_presenter = SectionPresenter(
             self.section,

@@ -333,3 +333,21 @@ def test_another_system_gets_every_field_that_it_has_an_element_for() -> None:
     declared = {name for name, field in OF_PERSON.items() if field.fhir}
     assert held == declared | {"pseudonym"}
     assert all(element in patient_resource(PERSON) for element in ("name", "telecom", "birthDate"))
+
+
+def test_measures_are_told_with_their_decimals_and_what_tells_their_limits(
+    records: Records, person: Person
+) -> None:
+    told = {
+        "left_foot_length_mm": 251.234,
+        "left_foot_length_mm_limits_95_by_simulation": 1.0,
+        "left_arch_index": 0.2449,
+        "own_score": 3.125,
+    }
+    records.visits.add(Visit(person.id, date(2026, 5, 3), measures=told))
+    words = words_of(records, person)
+    assert "251.2 ± 1.0" in words
+    assert "0.24 ± ?" in words
+    assert "3.125" in words
+    assert "± ?: not known for this value" in words
+    assert "scanner" not in words

@@ -18,9 +18,11 @@ from insole_core.evaluation.report import Report
 from insole_core.evaluation.report_files import write_pdf
 from insole_core.geometry.arrays import RawArray
 from insole_core.geometry.side import Side
+from insole_core.recording.capture_place import CapturePlace
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 from insole_core.recording.writer import write_session
+from insole_core.sensing.sensor import CalibrationRecord
 from insole_core.workflows.calibration import repeated_captures
 from insole_core.workflows.calibration.repeat_tests import (
     REPEAT_TESTS_FILE,
@@ -29,6 +31,7 @@ from insole_core.workflows.calibration.repeat_tests import (
     repeated_limits,
 )
 from insole_core.workflows.calibration.repeated_captures import RepeatedCaptures, repeat_captures
+from insole_core.workflows.scanned_feet import session_source
 from insole_studio.cli.main import run
 
 SMALL_SESSION = Path(__file__).parents[3] / "data" / "sessions" / "left_small.zip"
@@ -101,7 +104,9 @@ def test_a_place_that_scatters_too_much_keeps_nothing(
     evaluated: Callable[..., int], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert evaluated("--limit", "sd_foot_length=0.0001") == 1
-    assert "foot length, SD" in capsys.readouterr().err.splitlines()[-1]
+    *_, not_kept, failed = capsys.readouterr().err.splitlines()
+    assert "foot length, SD" in failed
+    assert "The test is not kept" in not_kept
     assert not list(tmp_path.rglob(REPEAT_TESTS_FILE))
 
 
@@ -118,17 +123,34 @@ def test_a_test_holds_for_its_very_sensors_and_takes_the_place_of_the_one_before
     tmp_path: Path,
 ) -> None:
     tests, earlier, later = RepeatTests(tmp_path), Repeated(0.3, 1.3, 3), Repeated(0.2, 0.5, 5)
-    for serials, one in (("AB", earlier), ("ABC", earlier), ("AB", later)):
-        tests.keep(RepeatTest(frozenset(serials), "2026-11-27", 3, {"foot_length": one}))
+    two, three = (CapturePlace(tuple(serials), "frame", "2026-11-01") for serials in ("AB", "ABC"))
+    for place, one in ((two, earlier), (three, earlier), (two, later)):
+        tests.keep(RepeatTest(place, "2026-11-27", 3, {"foot_length": one}))
     assert len(json.loads(tests.path.read_text())["tests"]) == 2
-    assert repeated_limits("BA", tmp_path) == {"foot_length": 0.5}
-    assert repeated_limits("ABC", tmp_path) == {"foot_length": 1.3}
-    assert repeated_limits("A", tmp_path) == repeated_limits("", tmp_path) == {}
+    assert repeated_limits(two, tmp_path) == {"foot_length": 0.5}
+    assert repeated_limits(three, tmp_path) == {"foot_length": 1.3}
+    for other in (
+        replace(two, sensors=("A",)),
+        replace(two, frame="another"),
+        replace(two, calibrated_at="2026-11-28"),
+        None,
+    ):
+        assert repeated_limits(other, tmp_path) == {}
     tests.path.write_text("{")
-    assert repeated_limits("AB", tmp_path) == {}  # the ± by simulation counts then, and says so
+    assert repeated_limits(two, tmp_path) == {}  # the ± by simulation counts then, and says so
     with pytest.raises(InputError, match=REPEAT_TESTS_FILE):
-        tests.keep(RepeatTest(frozenset("AB"), "2026-11-27", 3, {}))
+        tests.keep(RepeatTest(two, "2026-11-27", 3, {}))
     assert tests.path.read_text() == "{"
+
+
+def test_a_place_changes_with_its_sensors_their_calibration_and_its_frame() -> None:
+    session = read_session(SMALL_SESSION)
+    place = session.place
+    assert place == session_source(SMALL_SESSION, session).place == calibrated(session, "").place
+    assert place is not None
+    assert in_other_frame(session).place.frame != place.frame
+    assert calibrated(session, "2027-01-01T08:00:00+00:00").place.calibrated_at[:4] == "2027"
+    assert with_serial(session, "").place is None  # those of the others are no whole place
 
 
 def changed(session: Session, **manifest: object) -> Session:
@@ -140,6 +162,14 @@ def with_serial(session: Session, serial: str) -> Session:
     return replace(
         session, views=(replace(view, sensor=replace(view.sensor, serial=serial)), *others)
     )
+
+
+def calibrated(session: Session, made_at: str) -> Session:
+    """Return a session as after a calibration; as it was where that was on no day."""
+    view, *others = session.views
+    sensor = view.sensor.calibrated(CalibrationRecord("camera", made_at, 0.1, "px"))
+    views = (replace(view, sensor=sensor if made_at else view.sensor), *others)
+    return replace(session, views=views)
 
 
 def in_other_frame(session: Session) -> Session:
@@ -155,6 +185,7 @@ def in_other_frame(session: Session) -> Session:
         (lambda session: changed(session, side=Side.RIGHT), "is of a left foot, but"),
         (lambda session: with_serial(session, "Z9"), "test each place on its own"),
         (in_other_frame, "two different frames of markers"),
+        (lambda session: calibrated(session, "2027-01-01T08:00:00+00:00"), "calibrated between"),
         (None, "is a copy of"),
     ],
 )
@@ -162,6 +193,7 @@ def test_captures_that_are_no_repetition_are_refused(
     captures: list[Path],
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
     change: Callable[[Session], Session] | None,
     said: str,
 ) -> None:
@@ -170,13 +202,13 @@ def test_captures_that_are_no_repetition_are_refused(
         shutil.copytree(captures[0], other)
     else:
         write_session(change(read_session(captures[2])), other)
-    store = tmp_path / "sensors"
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     paths = map(str, (*captures[:2], other))
-    assert run(["evaluate", "repeat", *paths, "--sensors", str(store)]) == 2
+    assert run(["evaluate", "repeat", *paths]) == 2
     sentence = capsys.readouterr().err.splitlines()[-1]
     assert said in sentence
     assert str(other) in sentence
-    assert not store.exists()
+    assert not list(tmp_path.rglob(REPEAT_TESTS_FILE))
 
 
 def test_two_captures_are_no_test(captures: list[Path], capsys: pytest.CaptureFixture[str]) -> None:

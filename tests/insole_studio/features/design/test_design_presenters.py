@@ -210,7 +210,7 @@ class TestPatient:
         assert float(length) == pytest.approx(250.0, abs=1.0)
         assert limits == ["±", "?"]
         assert "toe tip" in measures["Foot length"].tip
-        assert measures["± ?: not known, as of another scanner's file"].values == ()
+        assert measures["± ?: not known of another scanner's file"].values == ()
         assert not measures["Heel width"].values[0].startswith("≈")
         assert measures["Heel – Arch"].values == ("50.0",)
         assert measures["Arch height"].unit == "mm"
@@ -299,6 +299,7 @@ class TestParameters:
             plantar=PlantarView(),
             materials=MaterialModel(),
             request_action=lambda _key: None,
+            ask_size=lambda: None,
         )
 
     def test_numbers_of_the_selected_pelott(
@@ -498,6 +499,7 @@ class TestModels:
             plantar=PlantarView(),
             materials=MaterialModel(),
             request_action=lambda _key: None,
+            ask_size=lambda: None,
         )
         open_foot()
         qtbot.waitUntil(lambda: surface.mesh is not None)

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPixmap
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
+from insole_core.errors import InputError
 from insole_core.files.atomic import replacing_file
 from insole_core.foot.measure_table import table_csv
 from insole_core.workflows.measured_feet import measured_feet
@@ -47,8 +48,13 @@ class MeasureActions:
         from insole_core.workflows.foot_sheet import WINDOW_IN, draw_angles
 
         drawn = io.BytesIO()
-        feet = measured_feet(self._case.record.feet)
-        draw_angles(feet, drawn, translate_core_message, WINDOW_IN)
+        try:
+            draw_angles(
+                measured_feet(self._case.record.feet), drawn, translate_core_message, WINDOW_IN
+            )
+        except InputError as error:  # only mirror images
+            self._messages.show_error(error)
+            return
         dialog = QDialog(self._window)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(tr("Angles of the feet"))
@@ -64,17 +70,23 @@ class MeasureActions:
 
     def ask_sheet(self) -> None:
         """Let the user choose a file, and write the foot sheet."""
-        from insole_core.workflows.foot_sheet import write_foot_sheet
+        from insole_core.workflows.foot_sheet import check_any, write_foot_sheet
 
+        record = self._case.record
+        feet = measured_feet(record.feet)
+        try:
+            check_any(feet)
+        except InputError as error:
+            self._messages.show_error(error)
+            return
         path = self._messages.questions.file_to_write(
             f"{tr('measures')}.pdf", "PDF (*.pdf)", Kept.PAPERS
         )
         if path is None:
             return
-        record = self._case.record
-        write_foot_sheet(
-            measured_feet(record.feet), path, translate_core_message, record.patient.pseudonym
-        )
+        sources = {foot.side: foot.source for foot in record.feet}
+        pseudonym = record.patient.pseudonym
+        write_foot_sheet(feet, sources, path, translate_core_message, pseudonym)
         self._messages.say(tr("Written: {name}").format(name=path.name))
 
     def ask_save(self) -> None:

@@ -38,7 +38,11 @@ from insole_studio.features.design.rim_texts import place_text
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec, Proposal
 from insole_studio.features.design.tools.brush_tool import BrushTool
 from insole_studio.features.design.tools.metatarsal_line import selected_pelott
-from insole_studio.features.design.tools.outline_tool import with_source
+from insole_studio.features.design.tools.outline_tool import (
+    proposed_size_eu,
+    with_size,
+    with_source,
+)
 from insole_studio.features.design.tools.pelott_tool import PelottTool
 from insole_studio.features.design.tools.posting_tool import posting_of
 from insole_studio.features.design.tools.rim_tool import remove_station
@@ -79,12 +83,13 @@ class ParametersPresenter:
         plantar: PlantarView,
         materials: MaterialModel,
         request_action: Callable[[str], None],
+        ask_size: Callable[[], float | None],
     ) -> None:
         self._panel = panel
         self._rim = rim
         self._materials = materials
         self._is_sliding = False
-        self._request = request_action
+        self._request, self._ask_size = request_action, ask_size
         self._case = case
         self._tool_controller = tool_controller
         self._pads = pads
@@ -352,14 +357,19 @@ class ParametersPresenter:
 
     def _edit_outline(self, name: str, value: Any) -> None:
         design = self._case.record.design
-        if design is not None:
-            outline = (
-                with_source(self._case.record, value)
-                if name == "source"
-                else with_value(design.outline, name, value, self._side)
-            )
-            changed = replace(design, outline=outline)
-            self._case.apply(changed, tr("Edit the outline"), f"outline:{name}")
+        if design is None:
+            return
+        if (name, value) == ("source", "shoe_size"):
+            size_eu = proposed_size_eu(self._case.record) or self._ask_size()
+            if size_eu is None:
+                return
+            outline = with_size(self._case.record, size_eu)
+        elif name == "source":
+            outline = with_source(self._case.record, value)
+        else:
+            outline = with_value(design.outline, name, value, self._side)
+        changed = replace(design, outline=outline)
+        self._case.apply(changed, tr("Edit the outline"), f"outline:{name}")
 
     def _edit_plane(self, name: str, value: float) -> None:
         annotations = self._case.record.annotations

@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.foot.measure_table import MeasureRow, measure_table
-from insole_core.foot.measures import DEFINITIONS, MISSING, NOT_MARKED, doubts
+from insole_core.foot.measures import DEFINITIONS, MISSING, NOT_MARKED
 from insole_core.foot.spread import EXPLAINED, Spread, explained, spread_text
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.side import Side
@@ -92,10 +92,9 @@ def measures_of(record: CaseRecord) -> list[Measure]:
     """Return all measures, of one foot or of both with their asymmetry, and what their ± is."""
     if not record.feet:
         return []
-    doubtful = {
-        foot.side: doubts(landmarks_of(foot)) for foot in record.feet if not foot.foot.mirrored
-    }
-    rows = measure_table(measured_feet(record.feet), with_missing=True)
+    feet = measured_feet(record.feet)
+    doubtful = {side: foot.doubts for side, foot in feet.items()}
+    rows = measure_table(feet, with_missing=True)
     measures = [_measure(row, doubtful) for row in rows]
     if any(row.unit == "degrees" for row in rows):
         measures.append(Measure(tr("What the angles are…"), (), key=ANGLES))

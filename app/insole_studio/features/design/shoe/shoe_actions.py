@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InputError, InsoleError
 from insole_core.progress import Progress
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.files import Kept, surface_kinds
 from insole_studio.texts import tr
+from insole_studio.widgets.form_parts import Field
 
 if TYPE_CHECKING:
     from insole_core.foot.foot import Foot
@@ -35,14 +37,14 @@ class ShoeActions:
 
     def ask(self) -> None:
         """Let the user choose a shoe."""
-        from insole_core.foot.measures import shoe_size_eu
         from insole_core.insole.shoes.shoe_sizes import read_shoe_table
         from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog
+        from insole_studio.features.design.tools.outline_tool import proposed_size_eu
 
         foot, design = self._case.foot, self._case.record.design
         if foot is None or design is None or self._dialog is not None:
             return
-        usual = design.outline.shoe_size_eu or shoe_size_eu(foot.length_mm)
+        usual = proposed_size_eu(self._case.record)
         dialog = ShoeDialog(
             read_shoe_table(), design.outline.shoe, usual,
             lambda shoe: _fit_words(foot, design, shoe), self._services.window,
@@ -52,6 +54,36 @@ class ShoeActions:
         dialog.accepted.connect(lambda: self._take(dialog.shoe()))
         dialog.finished.connect(self._forget)
         dialog.open()
+
+    def ask_size(self) -> float | None:
+        """Ask for the size of the shoe of a foot whose length is a guess; None if cancelled."""
+        from insole_core.insole.fields import ranges_of
+        from insole_core.insole.prescription.outline import Outline
+
+        given = self._services.messages.questions.fields(
+            tr("Size of the shoe"),
+            tr(
+                "Heel or toes of this foot were not scanned: its length is a guess, so no size is "
+                "proposed. Put in the EU size of the shoe."
+            ),
+            [Field("size", tr("EU size"))],
+        )
+        if given is None:
+            return None
+        sizes = ranges_of(Outline)["shoe_size_eu"]
+        try:
+            size = float(given["size"].replace(",", "."))
+        except ValueError:
+            size = math.nan
+        if not sizes.least <= size <= sizes.greatest:
+            refused = InputError(
+                '"{text}" is no size of a shoe from {least:g} to {greatest:g}; the outline stays '
+                "as it is.",
+                text=given["size"], least=sizes.least, greatest=sizes.greatest,
+            )  # fmt: skip
+            self._services.messages.show_error(refused)
+            return None
+        return size
 
     def _forget(self) -> None:
         self._services.jobs.cancel(CHANNEL)

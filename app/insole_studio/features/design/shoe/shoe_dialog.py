@@ -46,7 +46,7 @@ class ShoeDialog(QDialog):
     shoe
         What the design has now.
     usual_size_eu
-        For a foot of this length.
+        For a foot of this length; None where that is a guess.
     fit
         Says where the insole is wider than a shoe, and what else is unusual; nothing if it fits.
     """
@@ -57,7 +57,7 @@ class ShoeDialog(QDialog):
         self,
         table: ShoeTable,
         shoe: Shoe | None,
-        usual_size_eu: float,
+        usual_size_eu: float | None,
         fit: Callable[[Shoe], Sequence[str]],
         parent: QWidget | None,
     ) -> None:
@@ -67,6 +67,7 @@ class ShoeDialog(QDialog):
         self.setMinimumWidth(_WIDTH_PX)
         self._table, self._given, self._fit = table, shoe, fit
         self._of_last: Shoe | None = None
+        self._has_size = usual_size_eu is not None
         self.kind = ComboBox(_kinds(shoe))
         self.system = ComboBox([(one.name, _said(one.name)) for one in table.systems])
         self.size_field = NumberField("", least=0, greatest=400, step=0.5)
@@ -157,6 +158,11 @@ class ShoeDialog(QDialog):
             if self._of_last is None:
                 raise InputError("No last is chosen yet; choose its file.")
             return self._of_last
+        if not self._has_size:
+            raise InputError(
+                "Heel or toes of this foot were not scanned: its length is a guess, so no size is "
+                "proposed. Put in the size of the shoe."
+            )
         system, width = (
             self._table.system(self.system.currentData()),
             self.width_field.currentData(),
@@ -187,16 +193,20 @@ class ShoeDialog(QDialog):
         layout.addStretch(1)
         layout.addWidget(self.buttons)
 
-    def _show_given(self, shoe: Shoe | None, usual_size_eu: float) -> None:
+    def _show_given(self, shoe: Shoe | None, usual_size_eu: float | None) -> None:
         self.kind.show_value(_ANY if shoe is None else _KEPT)
         self.system.show_value(_USUAL_SYSTEM)
-        self.size_field.show_value(round(2 * usual_size_eu) / 2)
+        self.size_field.show_value(round(2 * (usual_size_eu or 0.0)) / 2)
         self.width_field.show_value(REGULAR)
         self.inside.show_value(95.0)
         self.trim.setChecked(shoe is not None and shoe.trim)
         self.clearance.show_value(0.5 if shoe is None else shoe.clearance_mm)
 
+    def _note_size(self) -> None:
+        self._has_size = True
+
     def _connect(self) -> None:
+        self.size_field.edited.connect(self._note_size)
         for field in (
             self.kind, self.system, self.size_field, self.width_field, self.inside, self.clearance,
         ):  # fmt: skip

@@ -149,9 +149,10 @@ def point_text(name: str) -> str:
 
 
 def confidence(case: Case, name: str) -> float:
-    """Return the confidence of a landmark, 0 to 1; manually placed points have 1."""
-    landmark = landmarks_of(case.shown).get(name)
-    return 1.0 if landmark is None else landmark.confidence
+    """Return the confidence of a landmark, 0 to 1; placed and confirmed points have 1."""
+    if case.shown.annotations.key_point(name) is not None:
+        return 1.0
+    return landmarks_of(case.shown)[name].confidence
 
 
 def landmark_hint(case: Case, name: str) -> str:

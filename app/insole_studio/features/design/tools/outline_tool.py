@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.errors import DesignError
-from insole_core.foot.measures import shoe_size_eu
+from insole_core.foot.measures import usual_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.fields import Place
 from insole_core.insole.grips import PLACE_STEP_MM, place_at
@@ -237,10 +237,21 @@ def with_drawn(design: InsoleDesign, points: tuple[Place, ...]) -> InsoleDesign:
     return replace(design, outline=replace(design.outline, source="drawn", points_mm=points))
 
 
+def proposed_size_eu(record: CaseRecord) -> float | None:
+    """Return the shoe size of the design, else that of the foot; None where its length is a guess.
+
+    Parameters
+    ----------
+    record
+        The open case, with foot and design.
+    """
+    assert record.design is not None
+    assert record.foot is not None
+    return record.design.outline.shoe_size_eu or usual_size_eu(record.foot, landmarks_of(record))
+
+
 def with_source(record: CaseRecord, source: str) -> Outline:
     """Return the outline with another source; a drawn one starts from the current outline.
-
-    The shoe size is proposed from the length of the foot.
 
     Parameters
     ----------
@@ -250,17 +261,15 @@ def with_source(record: CaseRecord, source: str) -> Outline:
         Key of the outline's source.
     """
     assert record.design is not None
-    assert record.foot is not None
     outline = record.design.outline
     if source == "drawn":
         return replace(outline, source=source, points_mm=points_of(record))
-    size = outline.shoe_size_eu or shoe_size_eu(record.foot.length_mm)
-    return replace(
-        outline,
-        source=source,
-        points_mm=None,
-        shoe_size_eu=size if source == "shoe_size" else outline.shoe_size_eu,
-    )
+    return replace(outline, source=source, points_mm=None)
+
+
+def with_size(record: CaseRecord, size_eu: float) -> Outline:
+    """Return the outline by the size of a shoe."""
+    return replace(with_source(record, "shoe_size"), shoe_size_eu=size_eu)
 
 
 def with_added(points: tuple[Place, ...], place: Place) -> tuple[Place, ...]:
