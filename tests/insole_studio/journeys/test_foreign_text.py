@@ -167,8 +167,11 @@ def _cells(model: QAbstractItemModel) -> Iterator[str]:
 
 
 def all_taken_for_html() -> list[str]:
-    """Every text of all windows that is shown as HTML, or that steers what is shown."""
-    windows = QApplication.topLevelWidgets()
+    """Every text of all windows that is shown as HTML, or that steers what is shown.
+
+    Not of the bubbles of tooltips: each one that is looked at ends the one before.
+    """
+    windows = (w for w in QApplication.topLevelWidgets() if not w.inherits("QTipLabel"))
     return [text for window in windows for text in (*taken_for_html(window), *steered(window))]
 
 

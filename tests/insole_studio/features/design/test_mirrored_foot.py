@@ -9,6 +9,7 @@ import pytest
 from canned_questions import CannedQuestions
 from hands import MANUAL_SIZE
 from PySide6.QtWidgets import QLabel, QMenu, QToolButton
+from pytestqt.qtbot import QtBot
 
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
@@ -60,7 +61,10 @@ def test_the_missing_foot_is_offered_as_mirror_image_and_says_so(
 
 
 def test_the_longest_badge_leaves_the_buttons_of_the_views_their_room(
-    app: Application, settle: Callable[[], None], make_foot: Callable[[Side], Foot]
+    app: Application,
+    settle: Callable[[], None],
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
 ) -> None:
     app.window.resize(*MANUAL_SIZE)
     foot = replace(make_foot(Side.RIGHT), mirrored=True, scanned_on="2026-05-04")
@@ -70,7 +74,8 @@ def test_the_longest_badge_leaves_the_buttons_of_the_views_their_room(
         (badge,) = view.findChildren(SideBadge)
         assert badge.text() == "RIGHT · mirrored from left · scan of 2026-05-04"
         presets = [b for b in view.findChildren(QToolButton) if b.property("preset")]
-        assert [button.isVisible() for button in presets] == [True] * 4
+        assert len(presets) == 4
+        qtbot.waitUntil(lambda shown=presets: all(button.isVisible() for button in shown))
         left_px = presets[0].mapTo(view, presets[0].rect().topLeft()).x()
         assert badge.geometry().right() < left_px
         assert badge.height() >= badge.heightForWidth(badge.width())
