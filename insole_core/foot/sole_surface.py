@@ -67,6 +67,9 @@ _DOUBT = 0.4  # loss of confidence per mm of standard deviation
 _UNSEEN, _UNSEEN_MM = 0.45, 2.0
 """Confidence and standard deviation of an end without a contour, on a foot that has contours: its
 measured surface may lie that far outside of the foot."""
+_CUT_OFF = 0.65
+"""Confidence in the surface alone, below which its end was continued by 3 mm and more: a side of
+the foot may be missing, and nothing tells how much of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,7 +258,8 @@ class SoleSurface:
         fit = fit_border(surface, self._touches, direction, between_mm, usual)
         trusted = (fit.touched > LEAST_TOUCHED) & (fit.deviation_mm < TRUSTED_MM)
         if not trusted.any():
-            return replace(end, confidence=min(end.confidence, _UNSEEN), deviation_mm=_UNSEEN_MM)
+            unseen_mm = None if end.confidence < _CUT_OFF else _UNSEEN_MM
+            return replace(end, confidence=min(end.confidence, _UNSEEN), deviation_mm=unseen_mm)
         summit = fit.summit(trusted, usual.bend_mm, usual_mm)
         deviation_mm = float(fit.deviation_mm[summit.strip])
         confidence = SURE - _DOUBT * max(deviation_mm - CERTAIN_MM, 0.0)

@@ -20,6 +20,9 @@ BLUR_PX = 0.5
 _DOTS = "dot_pattern/dots.npz"
 _PICTURE_WIDTH, _PICTURE_HEIGHT = 640, 512
 """Size of the picture in which the dots were found, in pixels of the depth image."""
+_FULL_WIDTH = 608
+"""Columns of it in which the dots were found. A strip without any, wider than the matching window,
+is a strip in which nothing is read: of an unlucky foot a third."""
 _SLACK_PX = 12.0
 """By which the patterns of two devices differ in height at most."""
 _DOT_SIGMA_PX = 0.45
@@ -122,7 +125,12 @@ def _real_dots() -> FloatArray:
 
 
 def _aligned(dots: FloatArray, rng: np.random.Generator) -> FloatArray:
-    """Return the dots (n, 2) as they lie in a device, several times side by side."""
+    """Return the dots (n, 2) as they lie in a device, several times side by side.
+
+    In place of the last columns of their picture stand the first ones again.
+    """
+    again = dots[dots[:, 0] < _PICTURE_WIDTH - _FULL_WIDTH] + [_FULL_WIDTH, 0.0]
+    dots = np.concatenate([dots[dots[:, 0] < _FULL_WIDTH], again])
     middle = (_PICTURE_HEIGHT - _HEIGHT) / 2
     shift = np.array([rng.uniform(0, _PICTURE_WIDTH), rng.uniform(-_SLACK_PX, _SLACK_PX) - middle])
     copies = [dots + shift + [turn * _PICTURE_WIDTH, 0] for turn in (-1, 0, 1)]

@@ -127,6 +127,17 @@ def test_a_sole_without_side_walls_is_measured_by_its_outlines(model):
     assert deviations_mm(bare) == {}
 
 
+def test_of_a_foot_without_its_lateral_side_nothing_tells_how_wide_it_is(model):
+    lateral = model.mesh.vertices[:, 0] * model.shape.side.medial_sign < -15
+    part = model.mesh.part((model.mesh.vertex_normals[:, 2] < -0.3) & ~lateral)
+    unseen = ContourConstraints(np.zeros((0, 3)), np.zeros((0, 3)))
+    foot = place_foot(replace(part, touches=unseen), model.shape.side, frame="reference")
+    measured = measure_foot(foot, find_landmarks(foot), is_recorded=True)
+    for name in ("ball_width", "ball_width_across", "heel_width"):
+        assert name in measured.doubts
+        assert measured.spread(name).limits_95 is None, name
+
+
 def axis_deg(foot: Foot) -> float:
     """Direction of the foot axis in the frame of the scan, > 0 towards medial."""
     marks, back = find_landmarks(foot), inverse(foot.source2insole)

@@ -83,6 +83,16 @@ def test_only_the_last_eight_columns_hold_no_reading(device: Device) -> None:
     assert not read[:, 632:].any()
 
 
+def test_no_part_of_the_pattern_is_without_dots() -> None:
+    """Where there are none over a window's width nothing is read, be it a third of a foot."""
+    for seed in range(3):
+        rows = slice(200, 280)
+        seen = DotPattern.draw(np.random.default_rng(seed), rows).seen(rows)
+        by_pixel = seen.reshape(len(seen), -1, 8).mean(axis=(0, 2))
+        by_window = np.convolve(by_pixel, np.full(7, 1 / 7), mode="valid")
+        assert by_window.min() > 0.5 * by_window.mean()
+
+
 @pytest.mark.shared
 @pytest.mark.parametrize("folder", ["walls_1", "walls_2", "board_1"])
 def test_real_captures_end_at_the_same_column(folder: str, shared_data: Path) -> None:
