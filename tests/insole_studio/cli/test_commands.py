@@ -358,7 +358,7 @@ def test_both_feet_are_measured_with_their_asymmetry(right_foot: Path, tmp_path:
     assert length["difference"] == pytest.approx(left - right, abs=2e-3)
     assert length["percent"] == pytest.approx(200 * (left - right) / (left + right), abs=0.01)
     assert content["limits_by"]["foot_length"] == "simulation"
-    assert content["other"]["limits_by"]["foot_length"] == "unknown"  # a file says nothing of it
+    assert content["other"]["limits_by"]["foot_length"] == "another scanner"
     assert 0.5 < content["limits_95"]["foot_length"] < 3
     assert length["limits_95"] is length["within_error"] is None
     head, first, *_ = table.read_text().splitlines()
