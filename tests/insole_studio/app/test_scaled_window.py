@@ -17,7 +17,9 @@ HERE = Path(__file__).parent
 
 @pytest.mark.display
 def test_windows_fit_a_scaled_screen_and_views_have_no_black_edge(tmp_path: Path) -> None:
-    roots = (HERE.parent, HERE.parents[1], HERE.parents[1] / "insole_core/records", HERE.parents[2])
+    tests = HERE.parents[1]
+    core = tests / "insole_core"
+    roots = (HERE.parent, tests, core, core / "records", tests.parent)
     ran = subprocess.run(
         [sys.executable, str(HERE / "scaled_window.py"), str(tmp_path)],
         env={
