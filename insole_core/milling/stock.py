@@ -36,6 +36,8 @@ MOST_BEYOND = 0.5
 """Steps of the grid by which a cutter may meet more than the nodes below it."""
 _AIR_MM = 22.0
 """Round the grid, more than the radius of a cutter."""
+_ONE_MORE = (0, 1)
+"""Node of the stock after the last one of the surface, along both axes."""
 _SLACK_MM = 1e-3
 _TILE = (64, 512)
 """Nodes of a grid along x and y."""
@@ -50,6 +52,8 @@ _MOST_LEGS = 16
 
 class Stock:
     """The block on the nodes of a surface's grid, or every few of them.
+
+    It has a node more along x and y: those of the surface end up to a step before the block's side.
 
     Parameters
     ----------
@@ -67,7 +71,7 @@ class Stock:
         self._step_mm = surface.step_mm * self.every
         self._first_mm = surface.first_mm
         self._shape = surface.inside.shape
-        coarse = surface.inside[:: self.every, :: self.every]
+        coarse = np.pad(surface.inside[:: self.every, :: self.every], _ONE_MORE)
         self._air = air = int(_AIR_MM / self._step_mm)
         self._all = np.pad(
             np.full(coarse.shape, height_mm, np.float32), air, constant_values=-_HIGH_MM
@@ -86,7 +90,9 @@ class Stock:
             Of the surface's grid.
         """
         self._swept, self._sweeper = np.where(active, np.float32(tips_mm), _HIGH_MM), cutter
-        tips = self._swept[:: self.every, :: self.every]
+        tips = np.pad(
+            self._swept[:: self.every, :: self.every], _ONE_MORE, constant_values=_HIGH_MM
+        )
         if cutter.shape == "flat":
             swept = cv2.erode(
                 tips, disc(cutter.radius_mm, self._step_mm),
@@ -102,14 +108,14 @@ class Stock:
     @property
     def heights_mm(self) -> Float32Array:
         """What is left at every few nodes of the surface's grid, above the block's bottom."""
-        return self._heights
+        return self._heights[:-1, :-1]
 
     def last_swept(self) -> Float32Array:
         """Return what the last sweep alone has left, at the same nodes as `heights_mm`.
 
         Other than there with all that the cutter has gone along, between those nodes too.
         """
-        left = np.full(self._heights.shape, _HIGH_MM)
+        left = np.full(self.heights_mm.shape, _HIGH_MM)
         under = _under(self._sweeper, self._step_mm / self.every)
         _gather(np.minimum, self._swept, under, left, _HIGH_MM, every=self.every)
         return left
@@ -183,7 +189,9 @@ class Stock:
         """
         self._beyond = np.full(self._all.shape, -np.inf, np.float32)
         inner = slice(self._air, -self._air)
-        self._beyond[inner, inner] = beyond[:: self.every, :: self.every]
+        self._beyond[inner, inner] = np.pad(
+            beyond[:: self.every, :: self.every], _ONE_MORE, mode="edge"
+        )
 
     def depths(self, way_mm: FloatArray, cutter: Cutter) -> FloatArray:
         """Return how deep (n,) a cutter cuts at points (n, 3) of its tip."""

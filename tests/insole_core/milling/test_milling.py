@@ -599,10 +599,11 @@ def test_a_way_takes_away_what_its_places_take_one_by_one(shape):
     assert (whole.heights_mm < 10).any()
 
 
-def test_a_strip_between_two_nodes_is_cut_step_by_step():
+@pytest.mark.parametrize("length_mm", [40.0, 25.2])  # at the side of the block, beyond its nodes
+def test_a_strip_between_two_nodes_is_cut_step_by_step(length_mm):
     box = from_manifold(manifold3d.Manifold.cube((20, 8, 5)).translate((10, 4, 0)))
     surface, cutter = (
-        sample_surface([box], (40.0, 40.0, 10.0), 22.0, 0.25),
+        sample_surface([box], (40.0, length_mm, 10.0), 22.0, 0.25),
         machine().contour.cutter,
     )
     stock, writer = Stock(surface, 10.0, 1.0), PathWriter(16.0)
