@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-import pytest
 from canned_questions import CannedQuestions
 from hands import MANUAL_SIZE
 from PySide6.QtWidgets import QLabel, QMenu, QToolButton
@@ -21,8 +20,6 @@ from insole_studio.app.scripted import wait_for
 from insole_studio.features.design.patient.measure_texts import measures_of
 from insole_studio.services.questions import SameSide
 from insole_studio.widgets.side_switch import SideBadge
-
-pytestmark = pytest.mark.one_window
 
 SAID = "The right foot was not scanned: foot and insole are mirrored from the left foot."
 
