@@ -133,6 +133,7 @@ class _Built:
         QApplication.processEvents()
         app.autosave.forget()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        app.window.statusBar().clearMessage()  # a hint of what is below the pointer comes and goes
         return self._state()
 
     def _wait(self) -> None:

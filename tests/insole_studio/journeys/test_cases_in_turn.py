@@ -110,7 +110,10 @@ def scan_of(small_session: Path, folder: Path) -> Path:
 
 
 CASES = {
-    "example": lambda _session, _one, _folder: resource_path("example/example.insole"),
+    # A copy, as a test in another process may have the example itself open.
+    "example": lambda _session, _one, folder: Path(
+        shutil.copy(resource_path("example/example.insole"), folder)
+    ),
     "one foot": lambda _session, one, _folder: one,
     "scan": lambda session, _one, folder: scan_of(session, folder),
     "session": lambda session, _one, folder: session_of(session, folder),
