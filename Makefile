@@ -28,7 +28,7 @@ $(SYSTEM): packaging/linux/system-packages.sh
 
 $(READY): $(SYSTEM) pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
-	$(BIN)/python -m compileall -q app insole_core drivers/kinect
+	$(BIN)/python -m compileall -q app insole_core drivers
 	touch $@
 
 $(SITE)/.built: $(READY) $(PAGES)

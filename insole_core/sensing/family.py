@@ -25,6 +25,8 @@ class SensorFamily:
         Number of neighbouring readings that share their error.
     learnt
         Whether the error of the matching was learnt for it (`matching_error`).
+    reach_mm
+        Distances of a foot at which it measures well.
     """
 
     name: str
@@ -32,13 +34,16 @@ class SensorFamily:
     spot_offset_px: float
     shared_px: int
     learnt: bool = False
+    reach_mm: tuple[float, float] = (0.0, 10_000.0)
 
 
-KINECT_V1 = SensorFamily("Kinect v1", 0.21, 0.6, 20, learnt=True)
+KINECT_V1 = SensorFamily("Kinect v1", 0.21, 0.6, 20, learnt=True, reach_mm=(550.0, 1000.0))
 """Dots lie 0.7 to 1 px off the middle of a window, less the part that is predicted; the sensor
-compares 9 x 9 pixels."""
-ACTIVE_STEREO = SensorFamily("active stereo", 0.4, 1.0, 20)
+compares 9 x 9 pixels. Closer than its reach it measures little, farther away its depth steps exceed
+3 mm."""
+ACTIVE_STEREO = SensorFamily("active stereo", 0.4, 1.0, 20, reach_mm=(400.0, 700.0))
 """On a slanted surface the brighter half of a window, which faces the camera, outweighs the other
-one: by more than a pixel."""
-DIRECT_DEPTH = SensorFamily("depth in mm", 0.5, 0.5, 10)
+one: by more than a pixel. Closer than its reach the search for matches ends, farther away a foot
+keeps errors of more than 0.3 mm."""
+DIRECT_DEPTH = SensorFamily("depth in mm", 0.5, 0.5, 10, reach_mm=(250.0, 1000.0))
 """Nothing is known but that it delivers millimetres, which are its raw units."""

@@ -101,6 +101,17 @@ def _numbers(unit_mm: float, disparity: MetricModel) -> RawArray:
     return np.asarray(table, dtype=np.uint16)
 
 
+def raw_of(stored: RawArray, unit_mm: float, disparity: MetricModel) -> RawArray:
+    """Convert a stored depth frame to whole raw units, 2047 = no reading (see `numbers_of`)."""
+    return _raw(unit_mm, disparity)[stored]
+
+
+@lru_cache(4)
+def _raw(unit_mm: float, disparity: MetricModel) -> RawArray:
+    """Return the raw number (65536,) of every number that a frame can hold."""
+    return np.asarray(_numbers(unit_mm, disparity) // NUMBERS_PER_RAW, np.uint16)
+
+
 def bin_size(camera: PinholeCamera) -> int:
     """Return how many pixels across are one reading: those that a Kinect has one for.
 

@@ -17,6 +17,7 @@ from insole_core.sensing.metric_depth import (
     binned,
     binned_camera,
     numbers_of,
+    raw_of,
 )
 from insole_core.sensing.sensor import Sensor
 
@@ -69,3 +70,23 @@ class Readings:
         if unit_mm is None or not isinstance(disparity, StereoDisparity | PlainDepth):
             return frame
         return binned(numbers_of(frame, unit_mm, disparity), self.bin_px)
+
+    def glance(self, frame: RawArray) -> RawArray:
+        """Convert a frame for the eye: one of its readings in each square, in whole raw units.
+
+        Parameters
+        ----------
+        frame : (height, width) uint16
+            As it is stored.
+
+        Returns
+        -------
+        (height, width) uint16, raw units, on the lattice
+            2047 = no reading.
+        """
+        unit_mm, disparity = self.stored.depth_unit_mm, self.stored.disparity
+        if unit_mm is None or not isinstance(disparity, StereoDisparity | PlainDepth):
+            return frame
+        rows, columns = (side // self.bin_px * self.bin_px for side in frame.shape)
+        chosen = frame[: rows : self.bin_px, : columns : self.bin_px]
+        return raw_of(chosen, unit_mm, disparity)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from itertools import chain
 from typing import Any
@@ -95,6 +95,31 @@ class CapturePlan:
     def serials(self) -> tuple[str, ...]:
         """Return the serial numbers of the sensors needed, each once."""
         return tuple(dict.fromkeys(shot.serial for shot in self.shots))
+
+    def gathered(self, serials: Collection[str]) -> CapturePlan:
+        """Return the plan that takes the views of some sensors at once, in the first one's turn.
+
+        Parameters
+        ----------
+        serials
+            Of sensors that do not disturb each other.
+        """
+        steps: list[CaptureStep] = []
+        gathering: int | None = None
+        for step in self.steps:
+            users = {shot.serial for shot in step.shots}
+            if step.by_hand or not users <= set(serials):
+                steps.append(step)
+                continue
+            taken = (
+                {shot.serial for shot in steps[gathering].shots} if gathering is not None else users
+            )
+            if gathering is None or users & taken:
+                gathering = len(steps)
+                steps.append(step)
+            else:
+                steps[gathering] = CaptureStep((*steps[gathering].shots, *step.shots))
+        return replace(self, steps=tuple(steps))
 
     def only(self, views: Sequence[str]) -> CapturePlan:
         """Return the plan that captures only some of the views again.

@@ -117,8 +117,9 @@ class CaptureRunner:
         draft: Draft,
         callbacks: CaptureCallbacks,
     ) -> None:
+        together = [key for key, one in sensors.items() if Capability.TOGETHER in one.capabilities]
         self._sensors = sensors
-        self._plan = plan
+        self._plan = plan = plan.gathered(together)
         self._draft = draft
         self._callbacks = callbacks
         self._reported: CaptureStatus | None = None
@@ -143,7 +144,8 @@ class CaptureRunner:
         Cancelled
         """
         plan = self._plan
-        self._draft.check_room(plan.frames, plan.color_frames, len(plan.views))
+        sensors = [calibrated.sensor for calibrated in self._calibrated.values()]
+        self._draft.check_room(plan.frames, plan.color_frames, sensors)
         tilts: dict[str, float] = {}
         try:
             self._check_controllers()
@@ -193,7 +195,12 @@ class CaptureRunner:
             Series(shot, self._sensors[shot.serial], self._plan, beginning)
             for shot, beginning in zip(step.shots, self._light_only(step), strict=True)
         ]
-        self._collect(taken, names)
+        try:
+            self._collect(taken, names)
+        finally:
+            for series in taken:
+                with suppress(SensorError):  # this sensor may be the one that was lost
+                    series.sensor.free_exposure()
         self._tell(CapturePhase.VERIFYING, Message("Checking view {views}", views=names))
         for series in taken:
             self._finish(series)
@@ -237,10 +244,12 @@ class CaptureRunner:
 
     def _collect(self, taken: list[Series], names: str) -> None:
         for series in taken:
-            self._draft.begin_view(series.shot.view, self._calibrated[series.shot.view])
+            self._draft.begin_view(series.shot.view)
         while not all(series.complete for series in taken):
             if self._callbacks.is_cancelled():
                 raise Cancelled(names)
+            for series in taken:
+                series.sensor.hold_exposure()
             came = [self._advance(series) for series in taken]
             if any(came):
                 if all(series.settled for series in taken):
@@ -257,8 +266,8 @@ class CaptureRunner:
         view, serial = series.shot.view, series.shot.serial
         depth = series.sensor.poll_depth()
         if depth is not None:
-            self._callbacks.show(serial, depth.image)
-            for index, used in series.take_depth(depth.image, depth.time_s):
+            self._callbacks.show(serial, depth.raw)
+            for index, used in series.take_depth(depth):
                 self._draft.add_depth(view, index, used)
             self._views[view] = series.status()
         video = series.sensor.poll_video()
@@ -266,8 +275,7 @@ class CaptureRunner:
             picture = video.picture()
             self._callbacks.show(serial, picture)
             series.light = judge_light(picture)
-            self._draft.add_color(view, series.color_count, picture)
-            series.color_count += 1
+            self._draft.add_color(view, series.take_color(video.time_s), picture)
         return depth is not None
 
     def _finish(self, series: Series) -> None:
@@ -276,7 +284,14 @@ class CaptureRunner:
         warnings = (*calibrated.warnings, *series.check())
         settled_after_s = series.stabilisation.settled_after_s or 0.0
         warm_s = time.monotonic() - series.sensor.on_since_s
-        facts = ViewFacts(settled_after_s, series.discarded, warm_s, warnings)
+        facts = ViewFacts(
+            settled_after_s,
+            series.discarded,
+            warm_s,
+            warnings,
+            series.sensor.temperature_c,
+            series.times,
+        )
         self._draft.finish_view(view, calibrated, facts)
         self._views[view] = series.status(True, warnings)
 

@@ -31,8 +31,9 @@ from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import manifest_json
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
-from insole_core.recording.session import CaptureCondition, Manifest
+from insole_core.recording.session import CaptureCondition, FrameTimes, Manifest
 from insole_core.recording.writer import foreign_in_session, write_session
+from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import kept_request
 from insole_studio.acquisition.capture_setup import Calibrated
 
@@ -41,8 +42,8 @@ _TAKING = ".taking-"
 _FACTS = "capture"
 """The manifest's key for the capture details of each view."""
 _WRITERS = 2
-_DEPTH_BYTES, _COLOR_BYTES = 120_000, 2_600_000
-"""Upper estimate of the size of a compressed picture."""
+_RAW_BYTES_PER_PX, _DEPTH_BYTES_PER_PX, _COLOR_BYTES_PER_PX = 0.4, 1.6, 2.0
+"""Upper estimate of the size of a compressed picture: raw numbers have fewer bits than depth."""
 
 
 @dataclass(frozen=True)
@@ -57,12 +58,18 @@ class ViewFacts:
         Frames that arrived damaged and were left out.
     warm_s
         How long the sensor had been on.
+    temperature_c
+        How warm it is inside, if it says so.
+    times
+        When its pictures were taken, if it says so.
     """
 
     settled_after_s: float
     discarded: int
     warm_s: float
     warnings: tuple[str, ...] = ()
+    temperature_c: float | None = None
+    times: FrameTimes | None = None
 
 
 def drafts_folder_of_user() -> Path:
@@ -141,32 +148,35 @@ class Draft:
         """Put the views of `order` first; the others keep their order behind them."""
         self._order = [*order, *(view for view in self._order if view not in order)]
 
-    def check_room(self, frames: int, color_frames: int, views: int) -> None:
+    def check_room(self, frames: int, color_frames: int, sensors: Sequence[Sensor]) -> None:
         """Check that the disk has space for a number of frames.
 
         Parameters
         ----------
         frames, color_frames
             Number of depth and colour pictures of each view.
-        views
-            Number of views.
+        sensors
+            One for each view.
 
         Raises
         ------
         OutputError
             When it has not.
         """
-        needed = views * (frames * _DEPTH_BYTES + color_frames * _COLOR_BYTES)
+        needed = sum(
+            frames * _depth_bytes(sensor) + color_frames * _color_bytes(sensor)
+            for sensor in sensors
+        )
         if shutil.disk_usage(self.folder).free < needed:
             full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
             raise OutputError(describe(self.folder, full))
 
-    def begin_view(self, view: str, calibrated: Calibrated) -> None:
+    def begin_view(self, view: str) -> None:
         """Prepare to take the frames of a view from a sensor."""
         taking = self._taking(view)
         shutil.rmtree(taking, ignore_errors=True)
         make_private_folder(taking)
-        self._writing[view] = [self._pool.submit(write_sensor, calibrated.sensor, taking)]
+        self._writing[view] = []
 
     def add_depth(self, view: str, index: int, image: RawArray) -> None:
         """Store depth frame number `index`.
@@ -175,7 +185,8 @@ class Draft:
         ----------
         index
             From 0.
-        image : (480, 640) uint16, raw
+        image : (height, width) uint16
+            As the sensor delivers it.
         """
         self._store(view, f"depth_{index:03d}.png", image)
 
@@ -209,6 +220,7 @@ class Draft:
         with output_errors(target):
             for writing in self._writing.pop(view):
                 writing.result()
+            write_sensor(calibrated.sensor, self._taking(view), facts.times)
             with replacing_folder(target, nothing_foreign) as beside:
                 beside.rmdir()
                 self._taking(view).rename(beside)
@@ -220,6 +232,12 @@ class Draft:
             "warm_s": round(facts.warm_s),
             "warnings": list(facts.warnings),
         }
+        if facts.temperature_c is not None:
+            self._facts[view]["temperature_c"] = round(facts.temperature_c, 1)
+        self._manifest = replace(
+            self._manifest,
+            metric=self._manifest.metric or calibrated.sensor.depth_unit_mm is not None,
+        )
         self._write_manifest()
 
     def publish(self, path: Path, progress: Progress = SILENT) -> None:
@@ -283,6 +301,16 @@ class Draft:
         manifest = replace(self._manifest, views=self.views, extra=extra)
         text = json.dumps(manifest_json(manifest), indent=1, ensure_ascii=False) + "\n"
         write_text(text, self.folder / "manifest.json")
+
+
+def _depth_bytes(sensor: Sensor) -> float:
+    camera = sensor.depth_camera
+    rate = _RAW_BYTES_PER_PX if sensor.depth_unit_mm is None else _DEPTH_BYTES_PER_PX
+    return rate * camera.width * camera.height
+
+
+def _color_bytes(sensor: Sensor) -> float:
+    return _COLOR_BYTES_PER_PX * sensor.color_camera.width * sensor.color_camera.height
 
 
 def is_abandoned(folder: Path) -> bool:

@@ -19,13 +19,12 @@ from insole_core.reconstruct.volume import is_inside
 from insole_core.recording.box import Box
 from insole_core.recording.session import ReferenceSystem
 from insole_core.sensing.disparity import NO_READING, DisparityModel
+from insole_core.sensing.family import SensorFamily
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.driver_values import resized_camera
 from insole_studio.acquisition.light import Light, judge_light
 
-NEAREST_MM, FARTHEST_MM = 550.0, 1000.0
-"""Closer, the sensor measures little; farther away, its depth steps exceed 3 mm."""
-DEPTH_RANGE_MM = (500.0, 1200.0)
+DEPTH_RANGE_MM = (400.0, 1200.0)
 """Depth range that the colours of a depth picture cover."""
 _CENTRE_PX = 12
 _MOVING_RAW = 8.0
@@ -99,7 +98,7 @@ class FrameSnapshot:
 
     Parameters
     ----------
-    depth, depth_before : (480, 640) uint16, raw
+    depth, depth_before : (rows, columns) uint16, raw
         The newest image, and one from a moment ago.
     color : (height, width, 3) uint8, RGB
         Of any size.
@@ -127,7 +126,7 @@ def guide(
     seen, foot_points = _locate(_for_picture(sensor, color), system, volumes, depth_mm, color)
     wanted = len(system.facing(sensor.faces))
     hints = [
-        *_distance_hints(depth_mm, valid_share),
+        *_distance_hints(depth_mm, valid_share, sensor.family),
         *_marker_hints(seen, wanted, foot_points),
         *_light_hints(color),
     ]
@@ -153,7 +152,7 @@ def centre_depth_mm(disparity: DisparityModel, depth: RawArray) -> float | None:
 
     Parameters
     ----------
-    depth : (480, 640) uint16, raw
+    depth : (rows, columns) uint16, raw
     """
     middle = _middle(depth)
     measured = middle[middle != NO_READING]
@@ -193,14 +192,15 @@ def _locate(
     return len(found.fixes), [int(np.count_nonzero(is_inside(placed, box))) for box in volumes]
 
 
-def _distance_hints(depth_mm: FloatArray, valid_share: float) -> list[Hint]:
+def _distance_hints(depth_mm: FloatArray, valid_share: float, family: SensorFamily) -> list[Hint]:
     if valid_share < _LEAST_VALID_SHARE:
         return [Hint(HintKind.NOTHING_MEASURED)]
     middle_mm = float(np.nanmedian(depth_mm))
-    if middle_mm < NEAREST_MM:
-        return [Hint(HintKind.TOO_NEAR, middle_mm, NEAREST_MM)]
-    if middle_mm > FARTHEST_MM:
-        return [Hint(HintKind.TOO_FAR, middle_mm, FARTHEST_MM)]
+    nearest_mm, farthest_mm = family.reach_mm
+    if middle_mm < nearest_mm:
+        return [Hint(HintKind.TOO_NEAR, middle_mm, nearest_mm)]
+    if middle_mm > farthest_mm:
+        return [Hint(HintKind.TOO_FAR, middle_mm, farthest_mm)]
     return []
 
 

@@ -45,7 +45,7 @@ _TILT_POLL_S = 0.1
 
 
 _FAMILY = "kinect-v1"
-_CAN = frozenset(Capability)
+_CAN = frozenset({Capability.TILT, Capability.BLINK, Capability.INFRARED})
 
 
 class KinectPort:
@@ -217,6 +217,14 @@ class OpenKinect:
         self._depth = None
         with translating():
             self._camera.stop_depth()
+
+    temperature_c = None
+
+    def hold_exposure(self) -> None:
+        """Do nothing: its infrared camera has one exposure, and its colour is only looked at."""
+
+    def free_exposure(self) -> None:
+        """Do nothing (see `hold_exposure`)."""
 
     def stop(self) -> None:
         """Stop everything, which frees the controller's bandwidth.

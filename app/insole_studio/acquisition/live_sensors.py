@@ -12,7 +12,13 @@ from insole_core.messages import joined
 from insole_studio.acquisition.capture_plan import MOST_SENSORS
 from insole_studio.acquisition.messages import Capability, Sensors, SensorState
 from insole_studio.acquisition.rig import Rig
-from insole_studio.acquisition.sensor_port import OpenSensor, Place, SensorError, require
+from insole_studio.acquisition.sensor_port import (
+    OpenSensor,
+    Place,
+    SensorError,
+    require,
+    small_color,
+)
 
 _RATE_FRAMES = 16
 
@@ -104,7 +110,7 @@ class LiveSensors:
         """
         if image.ndim == 2:
             self._times[serial].append(time.monotonic())
-        self._show(self._states[serial].slot, image if image.ndim == 2 else image[::2, ::2])
+        self._show(self._states[serial].slot, image if image.ndim == 2 else small_color(image))
 
     def keep_warm_ups(self) -> None:
         """Note how long each sensor has been on."""
@@ -133,8 +139,11 @@ class LiveSensors:
         except SensorError as error:
             self._note(serial, str(error))
             return
-        can = opened.capabilities
-        self._states[serial] = replace(self._states[serial], capabilities=can)
+        self._states[serial] = replace(
+            self._states[serial],
+            capabilities=opened.capabilities,
+            factory=opened.factory_sensor(()),
+        )
 
     def _advance(self, sensor: OpenSensor) -> bool:
         serial = sensor.serial
@@ -145,7 +154,7 @@ class LiveSensors:
             self._close(serial)
             return False
         if depth is not None:
-            self.show(serial, depth.image)
+            self.show(serial, depth.raw)
             state = self._states[serial]
             self._states[serial] = replace(state, discarded=depth.discarded)
         if video is not None:

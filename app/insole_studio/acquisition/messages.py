@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from pathlib import Path
 
 from insole_core.messages import Message
 from insole_core.recording.session import Manifest
+from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import CapturePlan
 
 WARM_UP_S = 15 * 60.0
@@ -25,6 +26,10 @@ class Capability(Enum):
     """It has a light that can blink."""
     INFRARED = "infrared"
     """It sends infrared pictures in the place of colour."""
+    TIMED = "timed"
+    """It tells when each picture was taken, rather than when it arrived."""
+    TOGETHER = "together"
+    """Its light helps others of its family rather than disturb them, so all are taken at once."""
 
 
 @dataclass(frozen=True)
@@ -207,6 +212,8 @@ class SensorState:
         Why it sends nothing, in one sentence; None if it does.
     capabilities
         What it can do beyond depth and colour; as long as it could not be opened, nothing.
+    factory
+        The calibration of its factory; None as long as it could not be opened.
     """
 
     serial: str
@@ -218,6 +225,7 @@ class SensorState:
     warm_s: float = 0.0
     problem: str | None = None
     capabilities: frozenset[Capability] = frozenset()
+    factory: Sensor | None = field(default=None, compare=False)
 
     @property
     def phase(self) -> CapturePhase:

@@ -9,7 +9,9 @@ from __future__ import annotations
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from types import TracebackType
-from typing import Protocol, Self
+from typing import Any, Protocol, Self, TypeVar, cast
+
+from numpy.typing import NDArray
 
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
@@ -43,14 +45,23 @@ class DepthFrame:
     image : (height, width) uint16
         In the unit that the sensor's calibration states.
     time_s
-        When it arrived, `time.monotonic()`.
+        When it arrived, or was taken, `time.monotonic()`.
     discarded
         Number of frames that arrived damaged before.
+    glance : (rows, columns) uint16, optional
+        The same in raw units, 2047 = no reading, with about as many readings as a Kinect's; None
+        where it is already (see `Readings.glance`).
     """
 
     image: RawArray
     time_s: float
     discarded: int
+    glance: RawArray | None = None
+
+    @property
+    def raw(self) -> RawArray:
+        """Return what is looked at and judged, (rows, columns) uint16, raw, 2047 = no reading."""
+        return self.image if self.glance is None else self.glance
 
 
 class VideoFrame(Protocol):
@@ -71,7 +82,7 @@ class VideoFrame(Protocol):
         Returns
         -------
         (height, width, 3) uint8
-            RGB of half the size; of an infrared frame the whole picture (height, width).
+            RGB, at most 640 × 512; of an infrared frame the whole picture (height, width).
         """
         ...
 
@@ -167,6 +178,19 @@ class OpenSensor(Protocol):
         """Switch the emitter off."""
         ...
 
+    def hold_exposure(self) -> None:
+        """Keep exposure and gain as they are, once there was a frame."""
+        ...
+
+    def free_exposure(self) -> None:
+        """Let the sensor choose exposure and gain again."""
+        ...
+
+    @property
+    def temperature_c(self) -> float | None:
+        """How warm it is inside; None if it measures no temperature."""
+        ...
+
     def stop(self) -> None:
         """Stop everything, which frees the controller's bandwidth."""
         ...
@@ -247,9 +271,21 @@ class SensorPort(Protocol):
         ...
 
 
+_PREVIEW_PX = 640
+ImageArray = TypeVar("ImageArray", bound=NDArray[Any])
+
+
+def small_color(picture: ImageArray) -> ImageArray:
+    """Return a picture to look at: every second or third pixel, up to 640 in a row."""
+    step = -(-picture.shape[1] // _PREVIEW_PX)
+    return cast("ImageArray", picture[::step, ::step])
+
+
 _LACKS = {
     Capability.TILT: Message("has no motor; turn it by hand"),
     Capability.BLINK: Message("has no light that blinks; cover it to see which one it is"),
+    Capability.TIMED: Message("does not tell when its pictures were taken; use another one"),
+    Capability.TOGETHER: Message("disturbs others with its light; take its view alone"),
     Capability.INFRARED: Message("sends no infrared pictures; choose one that does"),
 }
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -15,6 +16,7 @@ from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 from insole_core.sensing.disparity import DisparityModel, FactoryDisparity, LinearInverseDisparity
+from insole_core.sensing.family import DIRECT_DEPTH
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import (
     MOST_BURSTS,
@@ -31,6 +33,7 @@ from insole_studio.acquisition.capture_setup import (
 from insole_studio.acquisition.driver_values import translating
 from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_port import SensorPort
 from insole_studio.acquisition.warm_up import WarmUps
 from kinect_v1.calibration import Calibration, ZeroPlane
 from kinect_v1.emulation.bus import EmulatedBus
@@ -39,7 +42,13 @@ from kinect_v1.emulation.playback import TYPICAL_CALIBRATION, make_footage
 from kinect_v1.models import Model
 from kinect_v1.pixels import mosaic
 from kinect_v1.usb_bus import UsbBus, system_bus
+from realsense_d400.cameras import CameraBus, SystemCameras
+from realsense_d400.settings import CameraSettings
 
+if TYPE_CHECKING:
+    from realsense_d400.emulation import EmulatedCameras
+
+RECORDING = ".db3"
 _INFRARED_SIZE = (640, 488)
 _CUT_ROWS = 32
 """Rows that a picture of 1280 × 960 lacks at top and bottom compared with 1280 × 1024."""
@@ -47,6 +56,9 @@ _CUT_ROWS = 32
 
 class EmulatedRig:
     """One emulated sensor for each serial number of a session, each on its own USB controller.
+
+    Kinects are emulated below their driver, cameras with metric depth as RealSense cameras below
+    their library.
 
     A sensor that recorded several views was either tilted by its motor, if the views are named like
     bursts (``left``, ``left_2``), or moved by hand. The emulated sensor therefore plays the view of
@@ -59,17 +71,42 @@ class EmulatedRig:
     """
 
     def __init__(self, session: Session, speed: float = 1.0) -> None:
+        places = _bursts_by_place(session)
         self._scenes = {
             place: {burst_tilt_deg(burst): _footage(view) for burst, view in enumerate(bursts)}
-            for place, bursts in _bursts_by_place(session).items()
+            for place, bursts in places.items()
+            if not _is_metric(bursts[0])
         }
+        self._metric = {place: views[0] for place, views in places.items() if _is_metric(views[0])}
         self._serials = dict(emulated_views(session))
         self._kinects: dict[str, EmulatedKinect] = {}
         sensors = {view.name: view.sensor for view in session.views}
-        for place, serial in self._serials.items():
+        for place, scenes in self._scenes.items():
+            serial = self._serials[place]
             if serial not in self._kinects:
-                self._kinects[serial] = _kinect(sensors[place], self._scenes[place])
+                self._kinects[serial] = _kinect(sensors[place], scenes)
         self.bus = EmulatedBus(list(self._kinects.values()), speed=speed)
+        self.cameras = self._emulated_cameras(speed) if self._metric else None
+
+    def _emulated_cameras(self, speed: float) -> EmulatedCameras:
+        from insole_studio.acquisition.emulated_realsense import emulated_camera
+        from realsense_d400.emulation import EmulatedCameras
+
+        first: dict[str, View] = {}
+        for view in self._metric.values():
+            first.setdefault(view.sensor.serial, view)
+        self._realsenses = {
+            serial: emulated_camera(view, bus)
+            for bus, (serial, view) in enumerate(first.items(), 1)
+        }
+        return EmulatedCameras(self._realsenses.values(), speed)
+
+    def ports(self, warm_ups: WarmUps, settings: CameraSettings) -> tuple[SensorPort, ...]:
+        """Return the ports of the families that the session was recorded with."""
+        kinects = (KinectPort(UsbBus(self.bus), warm_ups),) if self._kinects else ()
+        if self.cameras is None:
+            return kinects
+        return (*kinects, _realsense_port(self.cameras, warm_ups, settings))
 
     def put(self, serial: str, place: str) -> None:
         """Move a sensor to the position of a view, as somebody would by hand.
@@ -79,7 +116,13 @@ class EmulatedRig:
         place
             Name of the view without the number of the burst.
         """
-        if self._serials.get(place) == serial:
+        if self._serials.get(place) != serial:
+            return
+        if place in self._metric:
+            from insole_studio.acquisition.emulated_realsense import face
+
+            face(self._realsenses[serial], self._metric[place])
+        else:
             self._kinects[serial].face(self._scenes[place])
 
 
@@ -94,6 +137,21 @@ def emulated_bursts(session: Session) -> int:
     return min(MOST_BURSTS, *map(len, _bursts_by_place(session).values()))
 
 
+def recordings_in(path: Path) -> tuple[Path, ...]:
+    """Return the recordings (``.db3``) that a path names: itself, or all in a folder."""
+    if path.suffix.lower() == RECORDING:
+        return (path,)
+    if not path.is_dir() or (path / "manifest.json").exists():
+        return ()
+    return tuple(sorted(path.glob(f"*{RECORDING}")))
+
+
+def _realsense_port(bus: CameraBus, warm_ups: WarmUps, settings: CameraSettings) -> SensorPort:
+    from insole_studio.acquisition.realsense_sensors import RealSensePort
+
+    return RealSensePort(bus, warm_ups, settings)
+
+
 def _bursts_by_place(session: Session) -> dict[str, list[View]]:
     """Return the views of each position, further bursts after the first."""
     left = {view.name: view for view in session.views}
@@ -103,10 +161,14 @@ def _bursts_by_place(session: Session) -> dict[str, list[View]]:
             continue
         bursts = places[view.name] = [left.pop(view.name)]
         while (other := left.get(burst_view(view.name, len(bursts)))) is not None:
-            if other.sensor.serial != view.sensor.serial:
+            if other.sensor.serial != view.sensor.serial or _is_metric(other):
                 break
             bursts.append(left.pop(other.name))
     return places
+
+
+def _is_metric(view: View) -> bool:
+    return view.sensor.depth_unit_mm is not None
 
 
 def _kinect(sensor: Sensor, scenes: Mapping[float, Footage]) -> EmulatedKinect:
@@ -176,17 +238,21 @@ class SensorSource:
     stored
         Calibrations kept on this computer.
     emulate
-        A recorded session whose frames are played as live sensors; None for real ones.
+        A recorded session whose frames are played as live sensors, or recordings of RealSense
+        cameras (``.db3``, or a folder of them); None for real ones.
     system_file
         File of the reference system; None selects the bundled one.
     warm_up_file
         Where it is kept how long each sensor has been on; None keeps nothing.
+    camera
+        Settings of RealSense cameras.
     """
 
     stored: SensorFiles
     emulate: Path | None = None
     system_file: Path | None = None
     warm_up_file: Path | None = None
+    camera: CameraSettings = field(default_factory=CameraSettings)
 
     @cached_property
     def session(self) -> Session | None:
@@ -195,16 +261,16 @@ class SensorSource:
         Raises
         ------
         InputError
-            When it cannot be read, or is of other sensors than Kinects.
+            When it cannot be read, or is of sensors that cannot be emulated.
         """
-        if self.emulate is None:
+        if self.emulate is None or recordings_in(self.emulate):
             return None
         session = read_session(self.emulate)
         for view in session.views:
-            if view.sensor.depth_unit_mm is not None:
+            if view.sensor.family is DIRECT_DEPTH:
                 raise InputError(
                     "{session} cannot be played back, because its view {view} was recorded by a "
-                    "{model}, not by a Kinect; reconstruct it instead.",
+                    "{model}, neither a Kinect nor a stereo camera; reconstruct it instead.",
                     session=session.source,
                     view=view.name,
                     model=view.sensor.model,
@@ -224,13 +290,19 @@ class SensorSource:
         InputError
             When the session cannot be read.
         SensorError
-            When libusb is missing.
+            When libusb is missing, or a recording cannot be played.
         """
         warm_ups = WarmUps(self.warm_up_file)
         if self.emulated_rig is not None:
-            return Rig(KinectPort(UsbBus(self.emulated_rig.bus), warm_ups))
+            return Rig(*self.emulated_rig.ports(warm_ups, self.camera))
+        recordings = recordings_in(self.emulate) if self.emulate is not None else ()
+        if recordings:
+            from insole_studio.acquisition.emulated_realsense import recorded_cameras
+
+            return Rig(_realsense_port(recorded_cameras(recordings), warm_ups, self.camera))
         with translating():
-            return Rig(KinectPort(system_bus(), warm_ups))
+            kinects = KinectPort(system_bus(), warm_ups)
+        return Rig(kinects, _realsense_port(SystemCameras(), warm_ups, self.camera))
 
     def setup(self) -> CaptureSetup:
         """Return the capture setup.

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from insole_core.geometry.arrays import RawArray
 from insole_core.sensing.disparity import NO_READING
+
+if TYPE_CHECKING:
+    from insole_studio.acquisition.sensor_port import DepthFrame
 
 
 @dataclass(frozen=True)
@@ -37,8 +39,7 @@ class StabilisationRule:
 class _Held(NamedTuple):
     """A frame that may turn out to be steady."""
 
-    image: RawArray
-    time_s: float
+    frame: DepthFrame
     valid: int
 
 
@@ -59,25 +60,19 @@ class Stabilisation:
         """Time from the start to the first frame used; None before that."""
         self.timed_out = False
 
-    def add(self, image: RawArray, time_s: float) -> list[RawArray]:
-        """Add a frame; return those that can be used now, the oldest first.
-
-        Parameters
-        ----------
-        image : (480, 640) uint16, raw
-        time_s
-            When the frame arrived, on the clock of `started_s`.
-        """
+    def add(self, frame: DepthFrame) -> list[DepthFrame]:
+        """Add a frame, on the clock of `started_s`; return those that can be used now, in order."""
+        time_s = frame.time_s
         if self.settled_after_s is not None:
-            return [image]
+            return [frame]
         if time_s <= self._started_s:
             return []
-        self._held.append(_Held(image, time_s, int(np.count_nonzero(image != NO_READING))))
+        self._held.append(_Held(frame, int(np.count_nonzero(frame.raw != NO_READING))))
         self.timed_out = time_s - self._started_s > self._rule.most_s
         if not (self._steady() or self.timed_out):
             return []
-        self.settled_after_s = self._held[0].time_s - self._started_s
-        return [held.image for held in self._held]
+        self.settled_after_s = self._held[0].frame.time_s - self._started_s
+        return [held.frame for held in self._held]
 
     def _steady(self) -> bool:
         counts = [held.valid for held in self._held]

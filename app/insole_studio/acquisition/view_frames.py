@@ -8,18 +8,21 @@ import numpy as np
 
 from insole_core.geometry.arrays import RawArray
 from insole_core.messages import Message
+from insole_core.recording.session import FrameTimes
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import median_raw
 from insole_studio.acquisition.capture_plan import CapturePlan, Shot
 from insole_studio.acquisition.light import Light
-from insole_studio.acquisition.messages import ViewStatus
-from insole_studio.acquisition.sensor_port import OpenSensor
+from insole_studio.acquisition.messages import Capability, ViewStatus
+from insole_studio.acquisition.sensor_port import DepthFrame, OpenSensor
 from insole_studio.acquisition.stabilisation import Stabilisation
 
 _LEAST_VALID_SHARE = 0.01
 _MOVED_RAW = 4.0
 """Twice the depth step at 1 m, and far above the noise of a median of several frames."""
 _MOVED_SHARE = 0.1
+_SAME_S = 0.08
+"""Longer than the pause between two colour pictures of a RealSense; a foot hardly moves in it."""
 _CHECK_STEP_PX = 3
 """Every ninth pixel shows whether something moved."""
 
@@ -51,7 +54,8 @@ class Series:
         self.shot = shot
         self.sensor = sensor
         self.depth: list[RawArray] = []
-        self.color_count = 0
+        self._depth_ms: list[float] = []
+        self._color_ms: list[float] = []
         self.light = Light.GOOD
         """Of the last colour picture."""
         self.stabilisation = Stabilisation(plan.settle, beginning.switched_s)
@@ -74,26 +78,53 @@ class Series:
         """Return the number of depth frames that arrived damaged since the start."""
         return self.sensor.discarded - self._beginning.discarded
 
-    def take_depth(self, image: RawArray, time_s: float) -> list[tuple[int, RawArray]]:
-        """Add a depth frame; return the numbers and images of the frames that can be used now.
-
-        Parameters
-        ----------
-        image : (480, 640) uint16, raw
-        time_s
-            When it arrived, `time.monotonic()`.
-        """
-        if time_s <= self._beginning.clear_s:
+    def take_depth(self, frame: DepthFrame) -> list[tuple[int, RawArray]]:
+        """Add a depth frame; return the numbers and images of the frames that can be used now."""
+        if frame.time_s <= self._beginning.clear_s:
             return []
         missing = self._plan.frames - len(self.depth)
-        used = self.stabilisation.add(image, time_s)[:missing]
+        used = self.stabilisation.add(frame)[:missing]
         first = len(self.depth)
-        self.depth += used
-        return list(enumerate(used, start=first))
+        self.depth += [one.raw for one in used]
+        self._depth_ms += [1000 * one.time_s for one in used]
+        return [(first + place, one.image) for place, one in enumerate(used)]
+
+    def take_color(self, time_s: float) -> int:
+        """Count a colour picture, and return its number."""
+        self._color_ms.append(1000 * time_s)
+        return len(self._color_ms) - 1
+
+    @property
+    def color_count(self) -> int:
+        """Return how many colour pictures were taken."""
+        return len(self._color_ms)
+
+    @property
+    def times(self) -> FrameTimes | None:
+        """Return when its pictures were taken, ms since the first depth frame, if it tells."""
+        if not self._is_timed:
+            return None
+        first_ms = self._depth_ms[0]
+        depth, color = (
+            tuple(round(moment - first_ms, 1) for moment in moments)
+            for moments in (self._depth_ms, self._color_ms)
+        )
+        return FrameTimes(depth, color)
 
     def wants_color(self, time_s: float) -> bool:
-        """Return whether a colour frame of that time is used; emitters do not disturb colour."""
-        return time_s > self._beginning.switched_s and self.color_count < self._plan.color_frames
+        """Return whether a colour frame of that time is used.
+
+        Emitters do not disturb colour; of a sensor that tells when its pictures were taken, it is
+        of the instant of the depth.
+        """
+        begins_s = self._beginning.switched_s
+        if self._is_timed:
+            begins_s = self._depth_ms[0] / 1000 - _SAME_S if self._depth_ms else float("inf")
+        return time_s > begins_s and self.color_count < self._plan.color_frames
+
+    @property
+    def _is_timed(self) -> bool:
+        return Capability.TIMED in self.sensor.capabilities
 
     def status(self, finished: bool = False, warnings: tuple[str, ...] = ()) -> ViewStatus:
         """Return the progress of the view.
@@ -145,7 +176,20 @@ class Series:
                     view=view,
                 )
             )
-        return (*warnings, *self._check_light())
+        return (*warnings, *self._check_times(), *self._check_light())
+
+    def _check_times(self) -> tuple[str, ...]:
+        times = self.times
+        if times is None or times.color_apart_ms <= 1000 * _SAME_S:
+            return ()
+        return (
+            Message(
+                "The colour picture of view {view} was taken {apart_ms:.0f} ms apart from its "
+                "depth; hold the foot still and capture this view again.",
+                view=self.shot.view,
+                apart_ms=times.color_apart_ms,
+            ),
+        )
 
     def _check_light(self) -> tuple[str, ...]:
         if self.light is Light.GOOD:

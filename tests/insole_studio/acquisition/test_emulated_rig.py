@@ -112,7 +112,7 @@ def test_a_session_of_another_camera_is_not_played_by_a_kinect(
     manifest.write_text(json.dumps(values | {"version": 3}))
     file.write_text(json.dumps(camera))
     source = SensorSource(SensorStore(tmp_path), folder)
-    with pytest.raises(InputError, match="its view left was recorded by a realsense-d415, not by"):
+    with pytest.raises(InputError, match="its view left was recorded by a realsense-d415, neither"):
         source.setup()
 
 

@@ -4,6 +4,7 @@ import numpy as np
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from insole_studio.acquisition.sensor_port import DepthFrame
 from insole_studio.acquisition.stabilisation import Stabilisation, StabilisationRule
 
 RULE = StabilisationRule(frames=3, tolerance=0.05, most_s=1.0)
@@ -22,7 +23,10 @@ def feed(settling: Stabilisation, counts: list[int]) -> list[int]:
     number = {id(image): place for place, image in enumerate(frames)}
     used: list[int] = []
     for place, image in enumerate(frames):
-        used += [number[id(given)] for given in settling.add(image, (place + 1) * PERIOD_S)]
+        used += [
+            number[id(given.image)]
+            for given in settling.add(DepthFrame(image, (place + 1) * PERIOD_S, 0))
+        ]
     return used
 
 

@@ -343,11 +343,11 @@ class CapturePresenter:
     def _welcome(self) -> None:
         """Assign views to new sensors, and start following each sensor."""
         serials = [state.serial for state in self._sensors.states]
-        for serial in serials:
+        for serial, factory in ((one.serial, one.factory) for one in self._sensors.states):
             self._assignment.welcome(serial, serials, self.options.side)
             view, watch = self._view_of(serial), self._watches.get(serial)
             if watch is None or watch.view != view:
-                self._watches[serial] = SensorWatch(self._setup, serial, view)
+                self._watches[serial] = SensorWatch(self._setup, serial, view, factory)
 
     def _view_of(self, serial: str) -> str:
         """Return the view a sensor captures next; a sensor moved by hand captures several."""

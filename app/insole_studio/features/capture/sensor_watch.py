@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Protocol
 
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
 from insole_core.reconstruct.volume import enclosed_volume
+from insole_core.sensing.readings import Readings
+from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import view_faces
 from insole_studio.acquisition.capture_setup import CaptureSetup
 from insole_studio.acquisition.driver_values import usual_sensor
@@ -90,13 +93,18 @@ class SensorWatch:
         Serial number of the sensor.
     view
         Its view, which decides which markers it should see.
+    factory
+        The calibration of its factory, for one that was never calibrated here.
     """
 
-    def __init__(self, setup: CaptureSetup, serial: str, view: str) -> None:
+    def __init__(
+        self, setup: CaptureSetup, serial: str, view: str, factory: Sensor | None = None
+    ) -> None:
         self.view = view
         faces = view_faces(view, setup.system)
         known = setup.known(serial, view)
-        self._sensor = known.sensor if known else usual_sensor(serial, faces, _FULL_COLOR)
+        sensor = known.sensor if known else factory or usual_sensor(serial, faces, _FULL_COLOR)
+        self._sensor = Readings.of(replace(sensor, faces=faces)).sensor
         self._system = setup.system
         self._volume = setup.volume_of_interest or enclosed_volume(setup.system)
         self._colors = depth_colors(self._sensor.disparity)

@@ -273,7 +273,7 @@ def write_draft(bench: Bench, *views: str) -> None:
     sensor = next(iter(bench.setup.recorded.values()))
     width, height = sensor.color_camera.width, sensor.color_camera.height
     for view in views or start.order:
-        draft.begin_view(view, Calibrated(sensor, "recording"))
+        draft.begin_view(view)
         draft.add_depth(view, 0, np.full((480, 640), 700, np.uint16))
         draft.add_color(view, 0, np.full((height, width, 3), 90, np.uint8))
         draft.finish_view(view, Calibrated(sensor, "recording"), ViewFacts(0.1, 0, 10.0))

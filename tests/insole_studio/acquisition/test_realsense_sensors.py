@@ -1,0 +1,320 @@
+"""RealSense cameras behind the port: captures of them, alone and beside a Kinect."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from capture_samples import NothingStored, depth_frames, footage
+from realsense_samples import COLOR, FRAMES, camera
+
+from insole_core.calibration.markers.reference_file import load_reference_system
+from insole_core.geometry.arrays import ByteArray, RawArray
+from insole_core.geometry.side import Side
+from insole_core.recording.reader import read_session
+from insole_core.recording.session import Manifest
+from insole_core.resources import resource_path
+from insole_core.sensing.pinhole_camera import PinholeCamera
+from insole_studio.acquisition.capture_plan import make_plan
+from insole_studio.acquisition.capture_runner import (
+    CaptureCallbacks,
+    CaptureRunner,
+    close_sensors,
+    open_sensors,
+)
+from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM, CaptureSetup
+from insole_studio.acquisition.draft import Draft
+from insole_studio.acquisition.guidance import centre_depth_mm
+from insole_studio.acquisition.kinect_sensors import KinectPort
+from insole_studio.acquisition.live_sensors import LiveSensors
+from insole_studio.acquisition.messages import Capability, CapturePhase, CaptureStatus
+from insole_studio.acquisition.realsense_sensors import RealSensePort, sensor_of
+from insole_studio.acquisition.rig import Rig
+from insole_studio.acquisition.sensor_port import (
+    BusFullError,
+    DepthFrame,
+    OpenSensor,
+    SensorError,
+    require,
+)
+from insole_studio.acquisition.sensor_source import SensorSource
+from kinect_v1.emulation.bus import EmulatedBus
+from kinect_v1.emulation.device import EmulatedKinect
+from kinect_v1.emulation.playback import TYPICAL_CALIBRATION
+from kinect_v1.models import Model
+from kinect_v1.usb_bus import UsbBus
+from realsense_d400.camera import Calibration, Intrinsics
+from realsense_d400.emulation import EmulatedCamera, EmulatedCameras, Make, record
+from tests.patience import wait_for
+
+SPEED = 4.0
+SERIALS = ("815", "816", "A1")
+VIEWS = ("left", "right", "top")
+
+
+@dataclass
+class Place:
+    """Two RealSense cameras, and a Kinect where one is wanted."""
+
+    cameras: EmulatedCameras
+    rig: Rig
+    setup: CaptureSetup
+    draft: Draft
+    told: list[CaptureStatus] = field(default_factory=list)
+    sensors: dict[str, OpenSensor] = field(default_factory=dict)
+
+    def capture(self, *views: str, **watching: Any) -> tuple[str, ...]:
+        pairs = [pair for pair in zip(VIEWS, SERIALS, strict=True) if pair[0] in views]
+        plan = make_plan(pairs, frames=4)
+        self.sensors = open_sensors(self.rig, plan.serials)
+        callbacks = CaptureCallbacks(**{"report": self.told.append, **watching})
+        return CaptureRunner(self.sensors, plan, self.setup, self.draft, callbacks).run()
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> Iterator[Callable[..., Place]]:
+    made: list[Place] = []
+
+    def build(*cameras: EmulatedCamera) -> Place:
+        plugged = EmulatedCameras(cameras or (camera("815"), camera("816")), SPEED)
+        kinect = EmulatedKinect(Model.XBOX_1414, "A1", TYPICAL_CALIBRATION, footage(0, 0))
+        rig = Rig(KinectPort(UsbBus(EmulatedBus([kinect], speed=SPEED))), RealSensePort(plugged))
+        system = load_reference_system(resource_path(DEFAULT_SYSTEM))
+        manifest = Manifest("2026-11-27T10:00:00+00:00", Side.LEFT, system, ())
+        setup = CaptureSetup(system, NothingStored())
+        made.append(Place(plugged, rig, setup, Draft(tmp_path / f"d{len(made)}", manifest, VIEWS)))
+        return made[-1]
+
+    yield build
+    for one in made:
+        close_sensors(one.sensors.values())
+        one.cameras.close()
+        one.draft.close()
+
+
+def test_a_rig_of_both_kinds_takes_all_realsense_views_at_once(
+    place: Callable[..., Place],
+) -> None:
+    ours = place()
+    warnings = ours.capture(*VIEWS)
+    names = [status.names for status in ours.told if status.phase is CapturePhase.VERIFYING]
+    assert list(dict.fromkeys(names)) == [("left", "right"), ("top",)]
+    assert all("factory" in warning for warning in warnings)
+    session = read_session(ours.draft.folder)
+    assert session.manifest.metric
+    left, right, top = session.views
+    assert top.read_depth(0)[0, 0] in {frame[0, 0] for frame in depth_frames(0)}
+    for view, serial in ((left, "815"), (right, "816")):
+        sent = camera(serial)
+        for index in range(4):
+            assert any(np.array_equal(view.read_depth(index), one) for one in sent.depth)
+        assert any(np.array_equal(view.read_color(0), one) for one in sent.color)
+        assert (view.sensor.depth_unit_mm, view.sensor.baseline_mm) == (0.1, 55.0)
+        assert view.times is not None
+        assert view.times.depth_ms[0] == 0
+        assert view.times.color_apart_ms < 100
+    kept = json.loads((ours.draft.folder / "manifest.json").read_text())["capture"]
+    assert (kept["left"]["temperature_c"], "temperature_c" in kept["top"]) == (36.5, False)
+
+
+def test_while_a_kinect_measures_the_projectors_are_off(place: Callable[..., Place]) -> None:
+    ours = place()
+
+    def look(status: CaptureStatus) -> None:
+        if status.phase is CapturePhase.CAPTURING:
+            lit.append({serial for serial, one in ours.sensors.items() if one.emits})
+
+    lit: list[set[str]] = []
+    ours.capture(*VIEWS, report=look)
+    assert {"815", "816"} in lit
+    assert {"A1"} in lit
+    assert all(len({serial == "A1" for serial in one}) == 1 for one in lit)
+
+
+@pytest.mark.parametrize("phase", [CapturePhase.SETTLING, CapturePhase.CAPTURING])
+def test_unplugging_during_a_capture_is_told_and_finished_views_are_kept(
+    place: Callable[..., Place], phase: CapturePhase
+) -> None:
+    ours = place()
+    ours.capture("left")
+    close_sensors(ours.sensors.values())
+
+    def pull(status: CaptureStatus) -> None:
+        if status.phase is phase and len(ours.cameras.devices()) == 2:
+            ours.cameras.unplug("816")
+
+    frames = 60 if phase is CapturePhase.CAPTURING else 4
+    plan = make_plan([("right", "816")], frames=frames)
+    ours.sensors = open_sensors(ours.rig, plan.serials)
+    runner = CaptureRunner(
+        ours.sensors, plan, ours.setup, ours.draft, CaptureCallbacks(report=pull)
+    )
+    with pytest.raises(SensorError, match=r"RealSense 816 was unplugged.* Kept so far: left\."):
+        runner.run()
+    assert ours.draft.views == ("left",)
+
+
+def test_unplugged_between_finding_and_opening_it_is_not_there(
+    place: Callable[..., Place],
+) -> None:
+    ours = place()
+    assert [one.serial for one in ours.rig.find().sensors] == ["A1", "815", "816"]
+    ours.cameras.unplug("816")
+    with pytest.raises(SensorError, match="No RealSense has the number 816; plug it in"):
+        ours.rig.open("816")
+
+
+def test_the_window_drops_a_camera_that_was_unplugged_and_takes_it_again(
+    place: Callable[..., Place],
+) -> None:
+    ours = place()
+    shown: list[tuple[int, ...]] = []
+    live = LiveSensors(ours.rig, lambda _slot, image: shown.append(image.shape))
+    live.find()
+    live.start()
+    wait_for(lambda: live.pump() and {(96, 160), (108, 192, 3), (480, 640)} <= set(shown))
+    (state,) = (one for one in live.summary.states if one.serial == "815")
+    assert state.factory is not None
+    assert (state.model, state.factory.depth_unit_mm) == ("realsense-d415", 0.1)
+    ours.cameras.unplug("815")
+    wait_for(lambda: live.pump() is not None and "815" not in live.opened)
+    assert "815 was unplugged" in next(
+        one.problem or "" for one in live.summary.states if one.serial == "815"
+    )
+    assert live.is_time_to_find
+    ours.cameras.plug("815")
+    live.find()
+    assert "815" in live.opened
+    live.close()
+
+
+def test_what_a_realsense_cannot_do_is_told_in_a_sentence(place: Callable[..., Place]) -> None:
+    with place().rig.open("815") as opened:
+        for capability in (Capability.TILT, Capability.BLINK, Capability.INFRARED):
+            with pytest.raises(SensorError, match="Sensor 815 "):
+                require(opened, capability)
+
+
+def large(serial: str, bus: int) -> EmulatedCamera:
+    """Return a camera with the pictures of a D415, which nobody looks at."""
+    no_lens = (0.0, 0.0, 0.0, 0.0, 0.0)
+    depth = Intrinsics(1280, 720, 920.0, 920.0, 640.0, 360.0, no_lens, inverse=False)
+    color = Intrinsics(1920, 1080, 1370.0, 1370.0, 960.0, 540.0, no_lens, inverse=False)
+    calibration = Calibration(depth, color, np.eye(3), np.zeros(3), 0.1, 55.0)
+    pictures = [np.zeros((720, 1280), np.uint16)], [np.zeros((1080, 1920, 3), np.uint8)]
+    return EmulatedCamera(serial, calibration, *pictures, make=Make(bus=bus))
+
+
+def test_six_cameras_on_one_controller_are_told_before_the_first_frame(
+    place: Callable[..., Place],
+) -> None:
+    serials = [str(number) for number in range(6)]
+    ours = place(*(large(serial, 2) for serial in serials))
+    plan = make_plan([(f"view_{serial}", serial) for serial in serials])
+    ours.sensors = open_sensors(ours.rig, serials)
+    runner = CaptureRunner(
+        ours.sensors, plan, ours.setup, ours.draft, CaptureCallbacks(report=ours.told.append)
+    )
+    with pytest.raises(BusFullError, match="controller of RealSense 3 carries 3 cameras already"):
+        runner.run()
+    assert not ours.told
+    assert not any(sensor.streams for sensor in ours.sensors.values())
+
+
+def test_six_cameras_on_two_controllers_are_streamed(place: Callable[..., Place]) -> None:
+    serials = [str(number) for number in range(6)]
+    ours = place(*(large(serial, 2 + place % 2) for place, serial in enumerate(serials)))
+    ours.sensors = open_sensors(ours.rig, serials)
+    for sensor in ours.sensors.values():
+        sensor.start()
+    assert all(sensor.streams for sensor in ours.sensors.values())
+
+
+def test_colour_that_is_late_is_told(place: Callable[..., Place]) -> None:
+    ours = place(camera("815", color_late_s=-0.3))
+    warnings = ours.capture("left")
+    assert any("taken" in one and "ms apart from its depth" in one for one in warnings)
+
+
+def test_what_the_window_is_shown_are_raw_units_of_as_many_readings_as_a_kinects(
+    place: Callable[..., Place],
+) -> None:
+    """A picture of twice the focal length has four times as many pixels."""
+    shown: list[RawArray | ByteArray] = []
+    image = np.full((720, 1280), 5200, np.uint16)
+    made = large("815", 2)
+    made.depth = [image]
+    ours = place(made)
+    live = LiveSensors(ours.rig, lambda _slot, one: shown.append(one))
+    live.find()
+    live.start()
+    wait_for(lambda: live.pump() and any(one.shape == (360, 640) for one in shown))
+    small = next(one for one in shown if one.shape == (360, 640))
+    sensor = live.opened["815"].factory_sensor(("sole",))
+    assert centre_depth_mm(sensor.disparity, small) == pytest.approx(520.0, abs=0.4)
+    assert all(one.shape[1] <= 640 for one in shown)
+    live.close()
+
+
+def test_a_recorded_session_of_both_kinds_is_played_by_emulated_cameras(
+    place: Callable[..., Place], tmp_path: Path
+) -> None:
+    ours = place()
+    ours.capture(*VIEWS)
+    source = SensorSource(NothingStored(), ours.draft.folder)
+    assert source.usual_views() == tuple(zip(VIEWS, ("815", "816", "A1"), strict=True))
+    with source.rig().open("816") as opened:
+        assert opened.factory_sensor(("sole",)).depth_camera == PinholeCamera(
+            160, 96, 115.0, 115.0, 79.5, 45.25
+        )
+        opened.start()
+        frame = next_depth(opened)
+    view = read_session(ours.draft.folder).views[1]
+    assert any(np.array_equal(frame.image, view.read_depth(index)) for index in range(4))
+    assert [one.serial for one in source.rig().find().sensors] == ["A1", "815", "816"]
+
+
+def test_recordings_of_the_library_are_cameras_of_a_rig(tmp_path: Path) -> None:
+    made = {serial: camera(serial) for serial in ("815", "816")}
+    for serial, one in made.items():
+        record(one, tmp_path / f"{serial}.db3", FRAMES)
+    rig = SensorSource(NothingStored(), tmp_path).rig()
+    assert [one.serial for one in rig.require().sensors] == ["815", "816"]
+    with rig.open("816") as opened:
+        opened.start()
+        frame = next_depth(opened)
+    assert any(np.array_equal(frame.image, sent) for sent in made["816"].depth)
+    (tmp_path / "cut.db3").write_bytes((tmp_path / "815.db3").read_bytes()[:5000])
+    with pytest.raises(SensorError, match=r"cut\.db3 is no complete recording of a RealSense"):
+        SensorSource(NothingStored(), tmp_path / "cut.db3").rig()
+
+
+def next_depth(opened: OpenSensor) -> DepthFrame:
+    frames: list[DepthFrame | None] = []
+
+    def has_come() -> bool:
+        frames.append(opened.poll_depth())
+        return frames[-1] is not None
+
+    wait_for(has_come)
+    assert frames[-1] is not None
+    return frames[-1]
+
+
+def test_a_lens_that_leads_out_of_the_picture_is_turned_round() -> None:
+    lens = (-0.055, 0.066, 0.0006, -0.0003, -0.021)
+    turned = Intrinsics(1920, 1080, 1370.0, 1372.0, 958.0, 541.0, lens, inverse=True)
+    calibration = Calibration(COLOR, turned, np.eye(3), np.zeros(3), 0.1, 55.0)
+    ours = sensor_of(calibration, "815", "realsense-d415", ()).color_camera
+    out = PinholeCamera(1920, 1080, 1370.0, 1372.0, 958.0, 541.0, lens)
+    rows, columns = np.mgrid[0:1080:90, 0:1920:120]
+    pixels = np.stack([columns.ravel(), rows.ravel()], axis=-1).astype(float)
+    rays = np.column_stack([(pixels - [958.0, 541.0]) / [1370.0, 1372.0], np.ones(len(pixels))])
+    straight = (out.project(rays) - [958.0, 541.0]) / [1370.0, 1372.0]
+    back = ours.project(np.column_stack([straight, np.ones(len(straight))]))
+    assert np.abs(back - pixels).max() < 0.1
