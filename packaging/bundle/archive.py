@@ -20,7 +20,7 @@ def build(version: str) -> list[Path]:
     shutil.copytree(product.FROZEN, tree, symlinks=True)
     for source in (
         LINUX / "README.txt",
-        product.UDEV_RULE,
+        *product.UDEV_RULES,
         LINUX / f"{product.COMMAND}.desktop",
         LINUX / f"{product.COMMAND}.mime.xml",
         product.ROOT / "resources/icons" / f"{product.COMMAND}.svg",

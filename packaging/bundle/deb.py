@@ -76,7 +76,8 @@ def _install(tree: Path) -> None:
     _copy(product.ROOT / "resources/icons" / f"{name}.svg", icons / "apps" / f"{name}.svg")
     mime_icon = f"{product.CASE_MIME_TYPE.replace('/', '-')}.svg"
     _copy(product.ROOT / "resources/icons" / f"{name}.svg", icons / "mimetypes" / mime_icon)
-    _copy(product.UDEV_RULE, tree / "usr/lib/udev/rules.d" / product.UDEV_RULE.name)
+    for rule in product.UDEV_RULES:
+        _copy(rule, tree / "usr/lib/udev/rules.d" / rule.name)
     documents = share / "doc" / name
     _copy(product.ROOT / "LICENSE", documents / "copyright")
     changes = (product.ROOT / "CHANGELOG.md").read_bytes()

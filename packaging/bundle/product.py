@@ -19,6 +19,6 @@ IDENTIFIER = "org.insole-studio.InsoleStudio"
 CASE_SUFFIX = ".insole"
 CASE_MIME_TYPE = "application/x-insole-studio-case"
 SUMMARY = "Custom insoles from scans of the foot"
-UDEV_RULE = ROOT / "resources" / "sensors" / "70-kinect-v1.rules"
+UDEV_RULES = tuple(sorted((ROOT / "resources" / "sensors").glob("70-*.rules")))
 FROZEN = DIST / COMMAND
 """The folder with the program and everything it needs."""

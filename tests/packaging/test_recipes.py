@@ -15,6 +15,7 @@ from bundle import deb, product
 from bundle.trim import is_needed
 from insole_studio.cli import window
 from insole_studio.cli.main import command_parser
+from realsense_d400.usb_places import PRODUCTS
 
 LINUX = product.PACKAGING / "linux"
 WINDOWS = product.PACKAGING / "windows"
@@ -87,7 +88,8 @@ def test_a_double_click_opens_the_case(installer, menu_entry):
 
 
 def test_linux_and_windows_give_access_to_the_same_sensors():
-    rules = product.UDEV_RULE.read_text(encoding="utf-8")
+    kinects, realsenses = product.UDEV_RULES
+    rules = kinects.read_text(encoding="utf-8")
     driver = (WINDOWS / "kinect-v1.inf").read_text(encoding="utf-8")
     instructions = (WINDOWS / "DRIVER.txt").read_text(encoding="utf-8").lower()
     allowed = set(re.findall(r'ATTR{idProduct}=="(\w{4})", MODE', rules))
@@ -95,6 +97,10 @@ def test_linux_and_windows_give_access_to_the_same_sensors():
     given = {product_id.lower() for product_id in re.findall(r"PID_(\w{4})", driver)}
     assert given == allowed - hub
     assert all(product_id in instructions for product_id in given)
+    # Windows has a driver for these
+    (cameras, streams) = re.findall(r'idProduct}=="([\w|]+)", MODE', realsenses.read_text())[:2]
+    assert {int(product_id, 16) for product_id in cameras.split("|")} == PRODUCTS
+    assert cameras == streams
 
 
 def test_every_system_is_built_and_lets_its_bundle_test_itself(workflow):

@@ -66,7 +66,7 @@ class KinectPort:
     def find(self) -> tuple[DetectedSensor, ...]:
         """List the Kinects that are plugged in (see `SensorPort`)."""
         with translating():
-            return tuple(_found(info) for info in list_sensors(self._bus))
+            return tuple(detected(info) for info in list_sensors(self._bus))
 
     def places(self) -> frozenset[Place]:
         """Return where Kinects are plugged in (see `SensorPort`)."""
@@ -347,7 +347,8 @@ def _cropped(mosaic: ByteArray, height: int) -> ByteArray:
     return np.ascontiguousarray(mosaic[cut : cut + height])
 
 
-def _found(info: SensorInfo) -> DetectedSensor:
+def detected(info: SensorInfo) -> DetectedSensor:
+    """Return a Kinect as the application lists it."""
     model = info.model.value if info.model else None
     return DetectedSensor(info.serial, model, info.bus, info.place, info.problem)
 

@@ -105,7 +105,7 @@ class RealSensePort:
     def find(self) -> tuple[DetectedSensor, ...]:
         """List the cameras that are plugged in (see `SensorPort`)."""
         with translating():
-            return tuple(map(_found, list_cameras(self._bus)))
+            return tuple(map(detected, list_cameras(self._bus)))
 
     def places(self) -> frozenset[Place]:
         """Return where cameras are plugged in (see `SensorPort`)."""
@@ -304,7 +304,8 @@ def sensor_of(calibration: Calibration, serial: str, model: str, faces: tuple[st
     )
 
 
-def _found(info: CameraInfo) -> DetectedSensor:
+def detected(info: CameraInfo) -> DetectedSensor:
+    """Return a camera as the application lists it."""
     return DetectedSensor(info.serial, info.model, info.controller, info.port, info.problem)
 
 

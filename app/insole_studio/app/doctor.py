@@ -24,7 +24,6 @@ from insole_core.messages import Message, Translate, joined
 from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.examined_sensors import (
-    UDEV_RULE,
     ExaminedSensor,
     examine_sensors,
     has_udev_rule,
@@ -159,7 +158,7 @@ class Doctor:
             state = Message(
                 "{serial}, model {model}, device {release}, USB controller {bus}",
                 serial=info.serial or "?",
-                model=info.model.value if info.model else "?",
+                model=info.model or "?",
                 release=sensor.release or "?",
                 bus=str(info.bus),
             )
@@ -168,7 +167,8 @@ class Doctor:
     def _advice_on(self, sensor: ExaminedSensor, all_: tuple[ExaminedSensor, ...]) -> str:
         if sensor.info.problem:
             return sensor.info.problem
-        if sum(other.info.bus == sensor.info.bus for other in all_) > 1:
+        beside = [other for other in all_ if other.info.bus == sensor.info.bus]
+        if len(beside) > 1 and not sensor.shares:
             return Message(
                 "It shares USB controller {bus} with another sensor, so the two take turns; plug "
                 "one into a controller of its own to capture with both at once.",
@@ -187,7 +187,7 @@ class Doctor:
             advice = Message(
                 "Have an administrator copy {rule} to /etc/udev/rules.d, then unplug the sensors "
                 "and plug them in again.",
-                rule=shown(resource_path(f"sensors/{UDEV_RULE}")),
+                rule=shown(resource_path("sensors") / "70-*.rules"),
             )
             yield Message("not set up"), advice
 

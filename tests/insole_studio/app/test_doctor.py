@@ -13,6 +13,7 @@ from insole_core.records.person import Person
 from insole_core.records.place import DATABASE_FILE, RecordsPlace
 from insole_core.records.records import open_records
 from insole_studio.acquisition.examined_sensors import ExaminedSensor
+from insole_studio.acquisition.messages import DetectedSensor
 from insole_studio.acquisition.sensor_port import SensorError
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.doctor import Diagnosis, Doctor, FindSensors, report_lines
@@ -20,8 +21,6 @@ from insole_studio.app.graphics import Graphics
 from insole_studio.app.help_actions import DoctorDialog
 from insole_studio.cli.main import run
 from insole_studio.user_paths import UserPaths
-from kinect_v1.models import Model
-from kinect_v1.sensors import SensorInfo
 
 GOOD = Graphics((4, 6), "Radeon")
 
@@ -40,9 +39,7 @@ def examined(
 
 
 def sensor(serial: str, bus: int, problem: str | None = None) -> ExaminedSensor:
-    return ExaminedSensor(
-        SensorInfo(serial, Model.XBOX_1473, bus, f"{bus}-1", problem), "1.14", True
-    )
+    return ExaminedSensor(DetectedSensor(serial, "1473", bus, f"{bus}-1", problem), "1.14", True)
 
 
 @pytest.mark.parametrize(
