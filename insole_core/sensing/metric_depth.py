@@ -109,7 +109,8 @@ def raw_of(stored: RawArray, unit_mm: float, disparity: MetricModel) -> RawArray
 @lru_cache(4)
 def _raw(unit_mm: float, disparity: MetricModel) -> RawArray:
     """Return the raw number (65536,) of every number that a frame can hold."""
-    return np.asarray(_numbers(unit_mm, disparity) // NUMBERS_PER_RAW, np.uint16)
+    numbers = _numbers(unit_mm, disparity) + NUMBERS_PER_RAW // 2
+    return np.asarray(numbers // NUMBERS_PER_RAW, np.uint16)
 
 
 def bin_size(camera: PinholeCamera) -> int:

@@ -3128,6 +3128,10 @@
             <translation>Färgbilden av vyn {view} är för mörk; tänd mer ljus och ta vyn igen.</translation>
         </message>
         <message>
+            <source>The colour picture of view {view} was taken {apart_ms:.0f} ms apart from its depth; hold the foot still and capture this view again.</source>
+            <translation>Färgbilden i vyn {view} togs {apart_ms:.0f} ms från dess djup; håll foten stilla och avbilda vyn igen.</translation>
+        </message>
+        <message>
             <source>The contact does not look like the sole of this foot; check the patient and the distance of the sensors, or lay it by hand.</source>
             <translation>Kontakten ser inte ut som sulan på den här foten; kontrollera patienten och sensorernas avstånd, eller lägg den för hand.</translation>
         </message>
@@ -5644,8 +5648,16 @@
             <translation>distorsion</translation>
         </message>
         <message>
+            <source>disturbs others with its light; take its view alone</source>
+            <translation>stör andra med sitt ljus; ta dess vy ensam</translation>
+        </message>
+        <message>
             <source>does not belong here: a device fits both feet; leave it out</source>
             <translation>hör inte hit: en inläggstyp passar båda fötterna; utelämna det</translation>
+        </message>
+        <message>
+            <source>does not tell when its pictures were taken; use another one</source>
+            <translation>säger inte när dess bilder togs; använd en annan</translation>
         </message>
         <message>
             <source>doubtful</source>
@@ -9972,8 +9984,8 @@
             <translation>{serial}: {step} {value:.2f} {unit}</translation>
         </message>
         <message>
-            <source>{session} cannot be played back, because its view {view} was recorded by a {model}, not by a Kinect; reconstruct it instead.</source>
-            <translation>{session} kan inte spelas upp, eftersom dess vy {view} togs med en {model}, inte med en Kinect; rekonstruera den i stället.</translation>
+            <source>{session} cannot be played back, because its view {view} was recorded by a {model}, neither a Kinect nor a stereo camera; reconstruct it instead.</source>
+            <translation>{session} kan inte spelas upp, eftersom dess vy {view} togs med en {model}, varken en Kinect eller en stereokamera; rekonstruera den i stället.</translation>
         </message>
         <message>
             <source>{session} was recorded with both feet, but no {side} foot is in its place; capture both again, or choose the {other} foot alone.</source>

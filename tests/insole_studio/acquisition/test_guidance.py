@@ -101,7 +101,7 @@ def test_colours_grow_with_depth_and_grey_is_nothing() -> None:
     colors = depth_colors(DISPARITY)
     assert colors.shape == (2048, 3)
     assert tuple(colors[2047]) == (48, 48, 48)
-    assert tuple(colors[300]) == (68, 1, 84)
+    assert tuple(colors[100]) == (68, 1, 84)
     assert tuple(colors[1000]) == (253, 231, 37)
 
 
