@@ -127,10 +127,12 @@ def _take(
     low = np.broadcast_to(samples[:, 2, None, None] + above, hit.shape)[hit]
     pixel, of = (a * heights_mm.shape[1] + b)[hit], np.broadcast_to(move[:, None, None], hit.shape)
     of = of[hit]
-    order = np.lexsort((low, of, pixel))
+    order = np.argsort(pixel, kind="stable")  # the moves of each pixel stay in their order
     pixel, low, of = pixel[order], low[order], of[order]
-    lowest = np.append(True, (pixel[1:] != pixel[:-1]) | (of[1:] != of[:-1]))
-    pixel, low, of = pixel[lowest], low[lowest], of[lowest]
+    begins = np.ones(len(pixel), bool)
+    begins[1:] = (pixel[1:] != pixel[:-1]) | (of[1:] != of[:-1])
+    begins = np.flatnonzero(begins)
+    pixel, low, of = pixel[begins], np.minimum.reduceat(low, begins), of[begins]
     first = np.append(True, pixel[1:] != pixel[:-1])
     block = np.cumsum(first) * 1e4  # keeps the minimum within one pixel
     running = np.minimum.accumulate(low - block) + block

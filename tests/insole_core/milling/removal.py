@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -125,38 +126,39 @@ class Removal:
             1
         ]
 
-    def _offsets(self, tool: Tool) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
-        reach = int(tool.radius_mm / self.pitch_mm) + 1
-        i, j = np.mgrid[-reach : reach + 1, -reach : reach + 1]
-        near = np.hypot(i, j) <= tool.radius_mm / self.pitch_mm + 1
-        return i[near], j[near]
+    def _reached(
+        self, tool: Tool, samples: FloatArray
+    ) -> Iterator[tuple[npt.NDArray[np.int64], FloatArray]]:
+        """Numbers of pixels below the tool, and how high it is there, one offset at a time.
 
-    def _pixels(self, samples: FloatArray) -> npt.NDArray[np.int64]:
-        return np.floor(samples[:, :2] / self.pitch_mm).astype(int)
+        The pixels are those of the heights with `_margin` round them.
+        """
+        reach, width = self._margin(tool) // 2, len(self.y_mm) + 2 * self._margin(tool)
+        pixels = np.floor(samples[:, :2] / self.pitch_mm).astype(int)
+        near = ((pixels >= -reach) & (pixels < self.heights.shape + np.array(reach))).all(axis=1)
+        pixels, samples = pixels[near], samples[near]
+        numbers = (pixels + self._margin(tool)) @ np.array([width, 1])
+        x, y = ((pixels + 0.5) * self.pitch_mm - samples[:, :2]).T
+        offsets = np.mgrid[-reach : reach + 1, -reach : reach + 1].reshape(2, -1).T
+        for i, j in offsets[np.linalg.norm(offsets, axis=1) <= tool.radius_mm / self.pitch_mm + 1]:
+            distance2 = (x + i * self.pitch_mm) ** 2 + (y + j * self.pitch_mm) ** 2
+            hit = np.flatnonzero(distance2 <= tool.radius_mm**2)
+            yield numbers[hit] + (i * width + j), samples[hit, 2] + tool.height(distance2[hit])
+
+    def _margin(self, tool: Tool) -> int:
+        return 2 * (int(tool.radius_mm / self.pitch_mm) + 1)
 
     def _feed(self, tool: Tool, starts: FloatArray, ends: FloatArray) -> None:
         samples = self._samples(starts, ends, 0.2 if tool.shape == "flat" else 0.1)
-        samples = samples[samples[:, 2] < self.block_mm[2]]
-        pixels = self._pixels(samples)
-        left = self.heights.ravel()
-        for i, j in zip(*self._offsets(tool), strict=True):
-            a, b = pixels[:, 0] + i, pixels[:, 1] + j
-            u, v = (a + 0.5) * self.pitch_mm - samples[:, 0], (b + 0.5) * self.pitch_mm
-            distance2 = u * u + (v - samples[:, 1]) ** 2
-            hit = distance2 <= tool.radius_mm**2
-            hit &= (a >= 0) & (a < len(self.x_mm)) & (b >= 0) & (b < len(self.y_mm))
-            pixel = a[hit] * len(self.y_mm) + b[hit]
-            np.minimum.at(left, pixel, samples[hit, 2] + tool.height(distance2[hit]))
+        margin = self._margin(tool)
+        left = np.pad(self.heights, margin)
+        for pixels, heights in self._reached(tool, samples[samples[:, 2] < self.block_mm[2]]):
+            np.minimum.at(left.reshape(-1), pixels, heights)
+        self.heights = left[margin:-margin, margin:-margin].copy()
 
     def _rapid(self, tool: Tool, starts: FloatArray, ends: FloatArray) -> None:
         samples = self._samples(starts, ends, self.pitch_mm)
-        samples = samples[samples[:, 2] < self.block_mm[2]]
-        pixels = self._pixels(samples)
-        for i, j in zip(*self._offsets(tool), strict=True):
-            a = np.clip(pixels[:, 0] + i, 0, len(self.x_mm) - 1)
-            b = np.clip(pixels[:, 1] + j, 0, len(self.y_mm) - 1)
-            distance2 = (self.x_mm[a] - samples[:, 0]) ** 2 + (self.y_mm[b] - samples[:, 1]) ** 2
-            hit = distance2 <= tool.radius_mm**2
-            depth = self.heights[a, b] - samples[:, 2] - tool.height(distance2)
-            if hit.any():
-                self.rapid_cuts_mm = max(self.rapid_cuts_mm, float(depth[hit].max()))
+        left = np.pad(self.heights, self._margin(tool)).ravel()
+        for pixels, heights in self._reached(tool, samples[samples[:, 2] < self.block_mm[2]]):
+            deepest = (left[pixels] - heights).max(initial=0.0)
+            self.rapid_cuts_mm = max(self.rapid_cuts_mm, float(deepest))

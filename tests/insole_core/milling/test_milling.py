@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import tracemalloc
 from dataclasses import replace
+from functools import cache
 from itertools import groupby, pairwise
 from pathlib import Path
 
@@ -57,10 +58,12 @@ THICK = 0.8
 """Share of the thickness asked for that tabs have, or it is told."""
 
 
+@cache
 def machine(name: str = "linuxcnc") -> Machine:
     return read_machine(resource_path(f"milling/{name}.json"))
 
 
+@cache
 def solid(*, arched: bool = False, groove: bool = False, lean: float = 0.015) -> TriangleMesh:
     """Return an oval piece with a cup, a hill and drafted walls, standing in the block."""
     count = 90
@@ -89,6 +92,12 @@ def solid(*, arched: bool = False, groove: bool = False, lean: float = 0.015) ->
     middle = np.array([BLOCK_MM[0] / 2, BLOCK_MM[1] / 2, 0])
     triangles = np.concatenate([up, up[:, ::-1] + low, wall]).astype(np.int32)
     return TriangleMesh(vertices + middle, triangles)
+
+
+@cache
+def planned(name: str = "linuxcnc", form: str = "arched", *, both_sides: bool) -> MillingPlan:
+    """Plan one of the forms of `solid` for a machine as it is delivered."""
+    return plan_milling([solid(**{form: True})], BLOCK_MM, machine(name), both_sides=both_sides)
 
 
 def left_of(plan: MillingPlan, text: str, pitch_mm: float = 0.4) -> Removal:
@@ -272,7 +281,7 @@ def rs274() -> str:
 @pytest.mark.parametrize("name", NAMES)
 def test_linuxcnc_interprets_the_program(tmp_path, name):
     program = rs274()
-    plan = plan_milling([solid(arched=True)], BLOCK_MM, machine(name), both_sides=True)
+    plan = planned(name, both_sides=True)
     (tmp_path / "piece.ngc").write_text(gcode(plan), encoding="ascii")
     (tmp_path / "tools.tbl").write_text("T1 P1 Z0 D6\nT2 P2 Z0 D6\n")
     (tmp_path / "variables").touch()
@@ -288,7 +297,7 @@ def test_linuxcnc_interprets_the_program(tmp_path, name):
 
 
 def test_a_program_has_numbers_for_every_controller():
-    plan = plan_milling([solid()], BLOCK_MM, machine("grbl"))
+    plan = planned("grbl", "groove", both_sides=False)
     text = gcode(plan, "Åsa (x) %")
     assert text.isascii()
     assert re.search(r"\dE|\d,\d|NAN|INF", text.upper()) is None
@@ -311,10 +320,10 @@ def test_a_program_has_numbers_for_every_controller():
 )
 def test_every_stop_is_made_at_the_parking_place(name, parking):
     """58 = block + safe height + block again: it is lifted off its dowels below the cutter."""
-    how = machine(name)
+    plan = planned(name, both_sides=True)
     if parking == "G0 Z46":
-        how = replace(how, travel_mm=(*how.travel_mm[:2], 46.0))
-    plan = plan_milling([solid(arched=True)], BLOCK_MM, how, both_sides=True)
+        how = replace(plan.machine, travel_mm=(*plan.machine.travel_mm[:2], 46.0))
+        plan = replace(plan, machine=how)
     lines = [re.sub(r"\(.*?\)", "", line).strip() for line in gcode(plan).splitlines()]
     moves = [line for line in lines if line]
     first_cut = next(n for n, line in enumerate(moves) if line.startswith("G1 "))
@@ -330,7 +339,7 @@ def test_every_stop_is_made_at_the_parking_place(name, parking):
 
 def test_a_machine_that_cannot_be_moved_while_it_holds_gets_a_file_for_each_cutter_and_side():
     how = machine("grbl")
-    plan = plan_milling([solid(arched=True)], BLOCK_MM, how, both_sides=True)
+    plan = planned("grbl", both_sides=True)
     files = programs(plan, stations(how, both_sides=True), "A-1")
     assert len(files) == 6
     for number, file in enumerate(files, 1):
@@ -345,7 +354,9 @@ def test_a_machine_that_cannot_be_moved_while_it_holds_gets_a_file_for_each_cutt
         assert sum(f"Put in tool {tool}:" in line for line in lines) == 1
         assert any("Zero G54" in line for line in head)
         assert lines[-1] == "M2"
-    whole, apart = left_of(plan, gcode(plan)), left_of(plan, "".join(file.text for file in files))
+    whole, apart = (
+        left_of(plan, text, 1.0) for text in (gcode(plan), "".join(file.text for file in files))
+    )
     for one, other in zip(whole.sides, apart.sides, strict=True):
         assert np.array_equal(one, other)
     assert apart.rapid_cuts_mm < 0.01
@@ -368,8 +379,7 @@ def test_a_machine_file_from_before_these_keys_has_the_usual_ones(tmp_path):
 def test_every_move_stays_within_step_down_width_and_flutes_and_none_falls_into_solid(
     form, both_sides
 ):
-    plan = plan_milling([solid(**{form: True})], BLOCK_MM, machine("grbl"), both_sides=both_sides)
-    for moves in moves_of(plan):
+    for moves in moves_of(planned("grbl", form, both_sides=both_sides)):
         assert not moves.fast_plunges.any()
         assert moves.depth_mm[~moves.cuts].max() < 0.05
         assert not moves.too_deep.any()
@@ -394,6 +404,7 @@ def test_a_machine_file_from_before_keeps_the_offset_of_its_header(tmp_path):
 def test_a_dowel_hole_of_any_width_is_a_short_path(dowel_mm):
     how = machine()
     how = replace(how, both_sides=replace(how.both_sides, dowel_diameter_mm=dowel_mm))
+    how = replace(how, finishing=replace(how.finishing, step_over_mm=1.0))
     plan = plan_milling([solid()], BLOCK_MM, how, both_sides=True)
     assert plan.operations[0].name == "dowels"
     assert len(plan.operations[0].points_mm) < 1500
@@ -401,7 +412,8 @@ def test_a_dowel_hole_of_any_width_is_a_short_path(dowel_mm):
 
 def test_the_chosen_work_offset_stands_in_the_program():
     for chosen in ("G54", "G57"):
-        plan = plan_milling([solid()], BLOCK_MM, replace(machine(), work_offset=chosen))
+        plan = planned("linuxcnc", "groove", both_sides=False)
+        plan = replace(plan, machine=replace(plan.machine, work_offset=chosen))
         offsets = re.findall(r"\bG5[4-9]\b", gcode(plan))
         assert offsets == [chosen]
 
@@ -418,7 +430,8 @@ def test_time_and_length_are_those_of_a_planner_that_reads_the_program(
     name, acceleration, both_sides
 ):
     how = replace(machine(name), acceleration_mm_s2=acceleration, length_along="x")
-    plan = plan_milling([solid(arched=both_sides)], BLOCK_MM, how, both_sides=both_sides)
+    form = "arched" if both_sides else "groove"
+    plan = replace(planned(name, form, both_sides=both_sides), machine=how)
     minutes, plain, metres = program_minutes(gcode(plan), how.rapid_mm_min, acceleration)
     assert plan.length_m == pytest.approx(metres, rel=0.01)
     assert plan.minutes == pytest.approx(minutes, rel=0.03)
