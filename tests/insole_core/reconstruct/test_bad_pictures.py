@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import cv2
 import numpy as np
@@ -18,22 +17,10 @@ from insole_core.reconstruct import Reconstruction, reconstruct
 from insole_core.reconstruct.views.foot_coverage import coverage_of, coverage_warnings
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import HandEdits
-from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import DisparityCorrection
 
-SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 HEEL = Box((-50.0, -150.0, -25.0), (50.0, -90.0, 60.0))
-
-
-@pytest.fixture(scope="module")
-def session() -> Session:
-    return read_session(SMALL)
-
-
-@pytest.fixture(scope="module")
-def whole(session: Session) -> Reconstruction:
-    return reconstruct(session)
 
 
 def altered(session: Session, name: str, change: Callable[[View], View]) -> Session:
@@ -64,14 +51,14 @@ def scaled(gain: float, offset: float) -> Callable[[ByteArray], ByteArray]:
     return lambda color: np.clip(color * gain + offset, 0, 255).astype(np.uint8)
 
 
-def test_a_good_session_is_said_nothing_of(whole: Reconstruction) -> None:
-    assert whole.warnings == ()
-    assert min(whole.coverage.values()) > 0.9
+def test_a_good_session_is_said_nothing_of(fused: Reconstruction) -> None:
+    assert fused.warnings == ()
+    assert min(fused.coverage.values()) > 0.9
 
 
-def covered(whole: Reconstruction, name: str, left: int) -> Callable[[ByteArray], ByteArray]:
+def covered(fused: Reconstruction, name: str, left: int) -> Callable[[ByteArray], ByteArray]:
     """Cover the markers of a view but some."""
-    (view,) = (view for view in whole.views if view.name == name)
+    (view,) = (view for view in fused.views if view.name == name)
     places = np.rint([fix.pixel for fix in view.fixes]).astype(int)[left:].tolist()
 
     def cover(color: ByteArray) -> ByteArray:
@@ -86,9 +73,9 @@ def covered(whole: Reconstruction, name: str, left: int) -> Callable[[ByteArray]
 @pytest.mark.slow
 @pytest.mark.parametrize("left", [3, 4])
 def test_a_view_of_three_or_four_markers_is_left_out(
-    session: Session, whole: Reconstruction, left: int
+    session: Session, fused: Reconstruction, left: int
 ) -> None:
-    said = said_of(with_colors(session, "top", covered(whole, "top", left)), "top")
+    said = said_of(with_colors(session, "top", covered(fused, "top", left)), "top")
     assert "markers" in said
 
 
@@ -159,9 +146,9 @@ def test_a_reference_system_moved_between_two_views(session: Session) -> None:
     assert any("left and right do not fit each other" in w for w in result.warnings)
 
 
-def test_the_wrong_foot_declared(whole: Reconstruction) -> None:
-    assert side_doubt(whole.mesh, Side.LEFT) == ""
-    assert "looks like a left one" in side_doubt(whole.mesh, Side.RIGHT)
+def test_the_wrong_foot_declared(fused: Reconstruction) -> None:
+    assert side_doubt(fused.mesh, Side.LEFT) == ""
+    assert "looks like a left one" in side_doubt(fused.mesh, Side.RIGHT)
 
 
 def test_something_that_is_no_foot() -> None:
@@ -185,10 +172,10 @@ def test_what_a_single_view_does_not_cover_is_named(session: Session) -> None:
     assert "Not measured: toes" in coverage_warnings(result.coverage, absence_is_reported=False)[0]
 
 
-def test_a_hole_in_the_arch_is_named(whole: Reconstruction) -> None:
-    y = whole.mesh.vertices[:, 1]
+def test_a_hole_in_the_arch_is_named(fused: Reconstruction) -> None:
+    y = fused.mesh.vertices[:, 1]
     share = (y - y.min()) / np.ptp(y)
-    holed = whole.mesh.part((share < 0.38) | (share > 0.52))
+    holed = fused.mesh.part((share < 0.38) | (share > 0.52))
     coverage = coverage_of(holed)
     assert coverage["arch"] < 0.6
     assert min(coverage[region] for region in ("toes", "forefoot", "heel")) > 0.9

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,22 +11,8 @@ from scipy.spatial import cKDTree
 from insole_core.errors import ReconstructionError
 from insole_core.reconstruct import Reconstruction, reconstruct
 from insole_core.reconstruct.views.measured_view import measure_view
-from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 from insole_core.sensing.disparity import ScaledDisparity
-
-SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
-
-
-@pytest.fixture(scope="module")
-def session() -> Session:
-    return read_session(SMALL)
-
-
-@pytest.fixture(scope="module")
-def right(session: Session) -> Reconstruction:
-    """The foot of sensors that measure right."""
-    return reconstruct(session)
 
 
 def stretched(view: View, factor: float) -> View:
@@ -41,8 +26,8 @@ def with_one_stretched(session: Session, name: str, factor: float) -> Session:
     return replace(session, views=tuple(views))
 
 
-def test_sensors_that_measure_right_are_left_alone(right: Reconstruction) -> None:
-    assert not [warning for warning in right.warnings if "the depth is" in warning]
+def test_sensors_that_measure_right_are_left_alone(fused: Reconstruction) -> None:
+    assert not [warning for warning in fused.warnings if "the depth is" in warning]
 
 
 @pytest.mark.slow
@@ -55,7 +40,7 @@ def test_sensors_that_measure_right_are_left_alone(right: Reconstruction) -> Non
     ],
 )
 def test_a_wrong_scale_in_one_view_is_told_and_moves_no_foot(
-    name: str, factor: float, said: str, session: Session, right: Reconstruction
+    name: str, factor: float, said: str, session: Session, fused: Reconstruction
 ) -> None:
     found = reconstruct(with_one_stretched(session, name, factor))
     percent, direction = said.split(" % ")
@@ -63,7 +48,7 @@ def test_a_wrong_scale_in_one_view_is_told_and_moves_no_foot(
     assert f"% {direction} than the markers in the colour image say, and is corrected" in warning
     told = float(warning.partition("the depth is ")[2].split(" ")[0])
     assert told == pytest.approx(float(percent), abs=0.2)
-    off_mm, _ = cKDTree(right.mesh.vertices).query(found.mesh.vertices)
+    off_mm, _ = cKDTree(fused.mesh.vertices).query(found.mesh.vertices)
     assert np.percentile(off_mm, 95) < 0.6  # before, 1.0 to 6.8 mm
 
 

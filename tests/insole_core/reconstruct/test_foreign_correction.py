@@ -15,8 +15,6 @@ from insole_core.recording.session import Session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.correction import CorrectionRecord
 
-SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
-
 
 def corrected_by(session: Session, owner: str) -> Session:
     """The session whose left view is corrected by what was measured on another sensor."""
@@ -34,8 +32,9 @@ def with_heel_alone(session: Session) -> Session:
 
 
 @pytest.mark.slow
-def test_a_correction_of_another_sensor_in_a_session_is_told(tmp_path: Path) -> None:
-    session = read_session(SMALL)
+def test_a_correction_of_another_sensor_in_a_session_is_told(
+    session: Session, tmp_path: Path
+) -> None:
     own = session.views[0].sensor.serial
     write_session(corrected_by(session, "B2"), tmp_path / "session")
     found = reconstruct(with_heel_alone(read_session(tmp_path / "session")))
@@ -50,8 +49,9 @@ def test_a_correction_of_another_sensor_in_a_session_is_told(tmp_path: Path) -> 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("owner", ["", None])
-def test_the_own_correction_and_one_of_an_unknown_sensor_are_used(owner: str | None) -> None:
-    session = read_session(SMALL)
+def test_the_own_correction_and_one_of_an_unknown_sensor_are_used(
+    session: Session, owner: str | None
+) -> None:
     own = session.views[0].sensor.serial
     found = reconstruct(with_heel_alone(corrected_by(session, own if owner is None else owner)))
     assert not [text for text in found.warnings if "was measured on" in text]

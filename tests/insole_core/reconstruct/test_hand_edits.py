@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,16 +18,9 @@ from insole_core.reconstruct.views.measured_view import (
 )
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_VIEW_EDITS, HandEdits, NamedSpot, Pixel, ViewEdits
-from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 
-SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 NOTHING = NO_VIEW_EDITS
-
-
-@pytest.fixture(scope="module")
-def session() -> Session:
-    return read_session(SMALL)
 
 
 @pytest.fixture(scope="module")

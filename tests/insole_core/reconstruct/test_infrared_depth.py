@@ -70,11 +70,6 @@ def with_picture(view: View, picture: RawArray, reference: InfraredReference) ->
 
 
 @pytest.fixture(scope="module")
-def session() -> Session:
-    return read_session(SMALL)
-
-
-@pytest.fixture(scope="module")
 def truth() -> TriangleMesh:
     with zipfile.ZipFile(SMALL) as archive:
         loaded = trimesh.load(io.BytesIO(archive.read("truth.ply")), "ply", process=False)
@@ -93,11 +88,6 @@ def dotted(session: Session, truth: TriangleMesh) -> Session:
     return replace(session, views=tuple(views))
 
 
-@pytest.fixture(scope="module")
-def by_chip(session: Session) -> Reconstruction:
-    return reconstruct(session)
-
-
 def mean_error_mm(made: Reconstruction, truth: TriangleMesh) -> float:
     surface, _ = trimesh.sample.sample_surface(
         trimesh.Trimesh(truth.vertices, truth.triangles, process=False), 200_000, seed=1
@@ -107,11 +97,11 @@ def mean_error_mm(made: Reconstruction, truth: TriangleMesh) -> float:
 
 
 def test_infrared_pictures_bring_the_foot_nearer_the_truth(
-    dotted: Session, by_chip: Reconstruction, truth: TriangleMesh
+    dotted: Session, fused: Reconstruction, truth: TriangleMesh
 ) -> None:
     made = reconstruct(dotted)
 
-    assert mean_error_mm(made, truth) < 0.95 * mean_error_mm(by_chip, truth)
+    assert mean_error_mm(made, truth) < 0.95 * mean_error_mm(fused, truth)
     depth = report_json(made, 1.0)["depth"]
     assert depth["source"] == "infrared"
     assert set(depth["trusted_share"]) == {view.name for view in dotted.views}
@@ -119,15 +109,15 @@ def test_infrared_pictures_bring_the_foot_nearer_the_truth(
     assert depth["deviation_of"] == "chip"
 
 
-def test_by_chip_they_change_nothing(dotted: Session, by_chip: Reconstruction) -> None:
+def test_by_chip_they_change_nothing(dotted: Session, fused: Reconstruction) -> None:
     made = reconstruct(dotted, depth="chip")
 
-    np.testing.assert_array_equal(made.mesh.vertices, by_chip.mesh.vertices)
+    np.testing.assert_array_equal(made.mesh.vertices, fused.mesh.vertices)
     assert "depth" not in report_json(made, 1.0)
 
 
 def test_pictures_that_cannot_be_used_are_told_and_change_nothing(
-    dotted: Session, by_chip: Reconstruction
+    dotted: Session, fused: Reconstruction
 ) -> None:
     left, right, top = dotted.views
     foreign = pattern_of(top.sensor.serial, 17)
@@ -140,16 +130,14 @@ def test_pictures_that_cannot_be_used_are_told_and_change_nothing(
     )
     made = reconstruct(replace(dotted, views=views))
 
-    np.testing.assert_array_equal(made.mesh.vertices, by_chip.mesh.vertices)
+    np.testing.assert_array_equal(made.mesh.vertices, fused.mesh.vertices)
     told = "\n".join(made.warnings)
     assert f"View {left.name}: its infrared pictures are black" in told
     assert f"View {right.name}: its infrared pictures are saturated" in told
     assert f"View {top.name}: its infrared pictures show the pattern on" in told
 
 
-def test_pictures_of_other_sensors_are_no_infrared(
-    dotted: Session, by_chip: Reconstruction
-) -> None:
+def test_pictures_of_other_sensors_are_no_infrared(dotted: Session, fused: Reconstruction) -> None:
     views = []
     for view in dotted.views:
         assert view.dots is not None
@@ -158,7 +146,7 @@ def test_pictures_of_other_sensors_are_no_infrared(
     foreign_ones = replace(dotted, views=tuple(views))
 
     made = reconstruct(foreign_ones)
-    np.testing.assert_array_equal(made.mesh.vertices, by_chip.mesh.vertices)
+    np.testing.assert_array_equal(made.mesh.vertices, fused.mesh.vertices)
     assert report_json(made, 1.0)["depth"]["source"] == "chip"
 
     with pytest.raises(ReconstructionError, match="that can be used") as refused:

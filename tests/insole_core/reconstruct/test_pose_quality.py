@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,15 +12,7 @@ from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.reconstruct import RegistrationLimits, reconstruct
 from insole_core.reconstruct.poses.pose_quality import PoseRefusedError
 from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view
-from insole_core.recording.reader import read_session
 from insole_core.recording.session import Marker, ReferenceSystem, Session, View
-
-SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
-
-
-@pytest.fixture(scope="module")
-def session() -> Session:
-    return read_session(SMALL)
 
 
 @pytest.fixture(scope="module")

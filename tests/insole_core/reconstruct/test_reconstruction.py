@@ -24,7 +24,6 @@ from insole_core.reconstruct import (
     report_json,
 )
 from insole_core.recording.box import Box
-from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.pinhole_camera import PinholeCamera
@@ -33,18 +32,8 @@ SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 
 
 @pytest.fixture(scope="module")
-def session() -> Session:
-    return read_session(SMALL)
-
-
-@pytest.fixture(scope="module")
 def thesis(session: Session) -> Reconstruction:
     return reconstruct(session, "thesis")
-
-
-@pytest.fixture(scope="module")
-def fused(session: Session) -> Reconstruction:
-    return reconstruct(session)
 
 
 @pytest.fixture(params=["thesis", "fused"])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,16 +13,9 @@ from insole_core.reconstruct.views.foot_coverage import view_consistency
 from insole_core.reconstruct.views.measured_view import MeasuredView, measure_view
 from insole_core.reconstruct.views.range_mesh import view_mesh
 from insole_core.reconstruct.volume import is_inside, volume_of_interest
-from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
 
-SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 RED = (255, 0, 0)
-
-
-@pytest.fixture(scope="module")
-def session() -> Session:
-    return read_session(SMALL)
 
 
 @pytest.fixture(scope="module")
