@@ -18,7 +18,7 @@ from insole_core.reconstruct import Reconstruction, reconstruct
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import DotPictures, InfraredPictures, View
 
-WALLS = (2, 4, 6, 8, 10)
+WALLS = (2, 5, 8, 10)
 
 
 def with_dots(view: View, infrared: Path, pictures: Path, folder: Path) -> View:
@@ -46,18 +46,18 @@ def sole_error_mm(made: Reconstruction, truth: FloatArray) -> float:
 
 
 @pytest.mark.slow
-def test_a_shared_foot_is_nearer_the_truth_by_infrared(shared_data: Path, tmp_path: Path) -> None:
+def test_a_shared_sole_is_nearer_the_truth_by_infrared(shared_data: Path, tmp_path: Path) -> None:
     folder = shared_data / "infrared"
     session = read_session(folder / "left_e")
+    (left,) = (view for view in session.views if view.name == "left")
     infrared = folder / "infrared"
-    views = tuple(
-        with_dots(view, infrared, infrared / "left_e" / view.name, tmp_path / view.name)
-        for view in session.views
-    )
+    dotted = with_dots(left, infrared, infrared / "left_e" / left.name, tmp_path / left.name)
     loaded = trimesh.load(folder / "left_e" / "truth.ply", process=False, force="mesh")
     truth, _ = trimesh.sample.sample_surface(loaded, 400_000, seed=1)
 
-    by_chip = sole_error_mm(reconstruct(session), np.asarray(truth))
-    by_infrared = sole_error_mm(reconstruct(replace(session, views=views)), np.asarray(truth))
+    by_chip, by_infrared = (
+        sole_error_mm(reconstruct(replace(session, views=(view,))), np.asarray(truth))
+        for view in (left, dotted)
+    )
 
-    assert by_infrared < 0.96 * by_chip
+    assert by_infrared < 0.97 * by_chip
