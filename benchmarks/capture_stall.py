@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 
 from benchmarks._measure import print_table, recorded_session
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.messages import Sensors, SensorState
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -24,6 +25,9 @@ START_S = 30.0
 
 class NothingStored:
     def load(self, _serial: str) -> Sensor | None:
+        return None
+
+    def reference(self, _serial: str) -> InfraredReference | None:
         return None
 
 

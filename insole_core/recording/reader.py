@@ -42,7 +42,11 @@ from insole_core.recording.session import (
 )
 from insole_core.recording.store import FolderStore, Store, ZipStore
 from insole_core.sensing.correction import CorrectedImage, DisparityCorrection, parse_correction
-from insole_core.sensing.infrared_reference import InfraredReference, parse_reference
+from insole_core.sensing.infrared_reference import (
+    InfraredReference,
+    check_owner,
+    parse_reference,
+)
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
@@ -172,7 +176,7 @@ def _dots(store: Store, folder: str, root: JsonObject, sensor: Sensor) -> DotPic
     try:
         name, reference = _reference(store, folder, root)
         dots = replace(dots, reference=reference)
-        _check_owner(name, reference, sensor.serial)
+        check_owner(name, reference, sensor.serial)
     except InputError as error:
         dots = replace(dots, pattern_fault=error.message)
     return dots
@@ -195,17 +199,6 @@ def _reference(store: Store, folder: str, root: JsonObject) -> tuple[str, Infrar
         )
     name = store.place(place)
     return name, parse_reference(name, store.read(place))
-
-
-def _check_owner(name: str, reference: InfraredReference, serial: str) -> None:
-    if reference.record.serial != serial:
-        raise InputError(
-            "{name} is the pattern of sensor {found}, but the view is of sensor {serial}; put in "
-            "the pattern of that sensor.",
-            name=name,
-            found=reference.record.serial,
-            serial=serial,
-        )
 
 
 def _stereo_pair(store: Store, folder: str, sensor: Sensor) -> dict[str, InfraredPictures]:

@@ -31,6 +31,7 @@ from insole_core.sensing.disparity import (
     LinearInverseDisparity,
     TangentDisparity,
 )
+from insole_core.sensing.infrared_reference import MOST_SHIFT_PX
 from insole_core.sensing.metric_depth import PlainDepth, StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import UNITS, CalibrationRecord, Sensor
@@ -51,7 +52,6 @@ SENSOR_FILE = "sensor.json"
 CORRECTION_FILE = "correction.npz"
 REFERENCE_FILE = "reference.npz"
 _SHIFT = "infrared_shift_px"
-_MOST_SHIFT_PX = 20
 """Four times the half of a sensor's matching window, by which its depth image is shifted."""
 
 
@@ -183,8 +183,7 @@ def infrared_shift_px(root: JsonObject) -> tuple[float, float]:
     """
     if not root.has(_SHIFT):
         return 0.0, 0.0
-    u, v = root.numbers(_SHIFT, 2, -_MOST_SHIFT_PX, _MOST_SHIFT_PX)
-    return u, v
+    return root.pair(_SHIFT, MOST_SHIFT_PX)
 
 
 def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:

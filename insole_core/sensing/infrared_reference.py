@@ -21,9 +21,15 @@ from insole_core.stored_arrays import pack_arrays, read_arrays
 VERSION = 1
 RAW_PER_PX = 8
 """Raw numbers are eighths of a pixel of disparity."""
+GREATEST = 1023
+"""Brightness of a pixel, of 10 bits."""
+MOST_SHIFT_PX = 20.0
 _ROWS, _COLUMNS = 480, 640
 _MOST_BYTES = 64 * 2**20
 _MOST_FINE, _MOST_PX = 16, 1024
+_SATURATED_SHARE = 0.02
+_BLACK = 20
+"""Number (of 1023) that one pixel in a hundred exceeds, also where the foot fills little."""
 _STEPS = 4
 """A correction changes by far less than a raw unit over a raw unit."""
 
@@ -40,6 +46,8 @@ class ReferenceRecord:
         ISO 8601, UTC.
     figures
         Results of its calibration by name.
+    shift_px : (u, v)
+        Of the pictures it was learnt from (see `on_depth_pixels`), as of all of its sensor.
     version
         Of the file format.
     """
@@ -47,6 +55,7 @@ class ReferenceRecord:
     serial: str = ""
     made_at: str = ""
     figures: dict[str, float] = field(default_factory=dict)
+    shift_px: tuple[float, float] = (0.0, 0.0)
     version: int = VERSION
 
 
@@ -115,6 +124,18 @@ class InfraredReference:
         """Add the device's distortion to a whole image (480, 640) of ideal raw numbers."""
         return distorted(raw, self.correction)
 
+    @cached_property
+    def packed(self) -> bytes:
+        """The content of its file, which takes a fifth of a second to pack."""
+        arrays = {
+            "pattern": self.pattern.astype(np.float16),
+            "first_px": np.array(self.first_px),
+            "fine": np.array(self.fine),
+            "reference": np.array(json.dumps(asdict(self.record))),
+            **self.correction.arrays(),
+        }
+        return pack_arrays(arrays)
+
     def save(self, path: Path) -> None:
         """Write the .npz file of the session format.
 
@@ -123,15 +144,8 @@ class InfraredReference:
         OutputError
             When the place cannot be written; a file that was there before is untouched.
         """
-        arrays = {
-            "pattern": self.pattern.astype(np.float16),
-            "first_px": np.array(self.first_px),
-            "fine": np.array(self.fine),
-            "reference": np.array(json.dumps(asdict(self.record))),
-            **self.correction.arrays(),
-        }
         with replacing_file(path) as beside:
-            beside.write_bytes(pack_arrays(arrays))
+            beside.write_bytes(self.packed)
 
 
 def on_depth_pixels(picture: FloatArray, shift_px: tuple[float, float]) -> FloatArray:
@@ -156,6 +170,27 @@ def on_depth_pixels(picture: FloatArray, shift_px: tuple[float, float]) -> Float
             picture, there, picture.shape[::-1], flags=cv2.INTER_CUBIC | cv2.WARP_INVERSE_MAP
         )
     )
+
+
+def check_picture(mean: FloatArray) -> None:
+    """Check that the mean of a view's infrared pictures shows dots.
+
+    Parameters
+    ----------
+    mean : (height, width) float64
+
+    Raises
+    ------
+    InputError
+        When it is saturated or black; as the end of a sentence on the view.
+    """
+    if (mean >= GREATEST).mean() > _SATURATED_SHARE:
+        raise InputError(
+            "its infrared pictures are saturated; lower their brightness, or keep sunlight off the "
+            "foot."
+        )
+    if np.percentile(mean, 99) < _BLACK:
+        raise InputError("its infrared pictures are black; see that the emitter is on.")
 
 
 def distorted(raw: FloatArray, correction: DisparityCorrection) -> FloatArray:
@@ -221,12 +256,39 @@ def parse_reference(name: str, content: bytes) -> InfraredReference:
     return InfraredReference(values, int(first), int(fine), correction, record)
 
 
+def check_owner(name: str, reference: InfraredReference, serial: str) -> None:
+    """Check that a pattern is of the sensor of a view.
+
+    Parameters
+    ----------
+    name
+        Of the pattern's file.
+    reference
+    serial
+        Of the sensor.
+
+    Raises
+    ------
+    InputError
+    """
+    if reference.record.serial != serial:
+        raise InputError(
+            "{name} is the pattern of sensor {found}, but the view is of sensor {serial}; put in "
+            "the pattern of that sensor.",
+            name=name,
+            found=reference.record.serial,
+            serial=serial,
+        )
+
+
 def _record(name: str, text: str) -> ReferenceRecord:
     root = JsonObject.parse(f"{name}: reference", text.encode(errors="surrogatepass"))
     figures = root.object("figures")
+    shift_px = root.pair("shift_px", MOST_SHIFT_PX) if root.has("shift_px") else (0.0, 0.0)
     return ReferenceRecord(
         root.text("serial", empty=True),
         root.text("made_at", empty=True),
         {key: figures.number(key) for key in figures.values},
+        shift_px,
         root.integer("version", 1, 1000),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
@@ -14,6 +14,7 @@ from insole_core.progress import Cancelled
 from insole_studio.acquisition.capture_plan import CapturePlan, CaptureStep, Shot
 from insole_studio.acquisition.capture_setup import Calibrated, CaptureSetup
 from insole_studio.acquisition.draft import Draft, ViewFacts
+from insole_studio.acquisition.infrared_series import PICTURES, InfraredSeries
 from insole_studio.acquisition.light import judge_light
 from insole_studio.acquisition.messages import Capability, CapturePhase, CaptureStatus, ViewStatus
 from insole_studio.acquisition.rig import Rig
@@ -145,7 +146,8 @@ class CaptureRunner:
         """
         plan = self._plan
         sensors = [calibrated.sensor for calibrated in self._calibrated.values()]
-        self._draft.check_room(plan.frames, plan.color_frames, sensors)
+        known = sum(calibrated.dots is not None for calibrated in self._calibrated.values())
+        self._draft.check_room(plan.frames, plan.color_frames, sensors, known * PICTURES)
         tilts: dict[str, float] = {}
         try:
             self._check_controllers()
@@ -195,15 +197,18 @@ class CaptureRunner:
             Series(shot, self._sensors[shot.serial], self._plan, beginning)
             for shot, beginning in zip(step.shots, self._light_only(step), strict=True)
         ]
+        infrared: list[InfraredSeries] = []
         try:
             self._collect(taken, names)
+            infrared += self._collect_infrared(taken, names)
         finally:
             for series in taken:
                 with suppress(SensorError):  # this sensor may be the one that was lost
                     series.sensor.free_exposure()
         self._tell(CapturePhase.VERIFYING, Message("Checking view {views}", views=names))
         for series in taken:
-            self._finish(series)
+            own = (one for one in infrared if one.before is series)
+            self._finish(series, next(own, None))
         self._tell(CapturePhase.VERIFYING, Message("View {views} is on the disk", views=names))
 
     def _move(self, shot: Shot, by_hand: bool, level_deg: float | None) -> None:
@@ -244,7 +249,8 @@ class CaptureRunner:
 
     def _collect(self, taken: list[Series], names: str) -> None:
         for series in taken:
-            self._draft.begin_view(series.shot.view)
+            dots = self._calibrated[series.shot.view].dots
+            self._draft.begin_view(series.shot.view, dots.reference if dots is not None else None)
         while not all(series.complete for series in taken):
             if self._callbacks.is_cancelled():
                 raise Cancelled(names)
@@ -260,6 +266,37 @@ class CaptureRunner:
                     self._tell(CapturePhase.SETTLING, _settling(names))
             else:
                 time.sleep(_POLL_S)
+
+    def _collect_infrared(self, taken: list[Series], names: str) -> list[InfraredSeries]:
+        """Take infrared pictures of the same pose with the sensors whose dots are known."""
+        known = [one for one in taken if self._calibrated[one.shot.view].dots is not None]
+        if not known:
+            return []
+        self._tell(
+            CapturePhase.CAPTURING, Message("Taking infrared pictures of view {views}", views=names)
+        )
+        for one in known:
+            one.sensor.start_infrared()
+        switched_s = time.monotonic()
+        infrared = [InfraredSeries(one, switched_s) for one in known]
+        while not all(one.complete for one in infrared):
+            if self._callbacks.is_cancelled():
+                raise Cancelled(names)
+            came = [self._advance_infrared(one) for one in infrared]
+            if not any(came):
+                time.sleep(_POLL_S)
+        return infrared
+
+    def _advance_infrared(self, infrared: InfraredSeries) -> bool:
+        """Process what one sensor has delivered; return whether it delivered anything."""
+        shot, sensor = infrared.before.shot, infrared.before.sensor
+        depth, video = sensor.poll_depth(), sensor.poll_video()
+        if depth is not None:
+            self._callbacks.show(shot.serial, depth.raw)
+            infrared.take_depth(depth)
+        if video is not None:
+            infrared.take_picture(video)
+        return depth is not None or video is not None
 
     def _advance(self, series: Series) -> bool:
         """Process what one sensor has delivered; return whether it delivered anything."""
@@ -278,10 +315,16 @@ class CaptureRunner:
             self._draft.add_color(view, series.take_color(video.time_s), picture)
         return depth is not None
 
-    def _finish(self, series: Series) -> None:
+    def _finish(self, series: Series, infrared: InfraredSeries | None) -> None:
         view = series.shot.view
         calibrated = self._calibrated[view]
-        warnings = (*calibrated.warnings, *series.check())
+        faults = () if infrared is None else infrared.check()
+        warnings = (*calibrated.warnings, *series.check(), *faults)
+        if infrared is None or faults:
+            calibrated = replace(calibrated, dots=None)
+        else:
+            for index, picture in enumerate(infrared.pictures):
+                self._draft.add_infrared(view, index, picture)
         settled_after_s = series.stabilisation.settled_after_s or 0.0
         warm_s = time.monotonic() - series.sensor.on_since_s
         facts = ViewFacts(

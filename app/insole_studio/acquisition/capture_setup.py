@@ -13,10 +13,13 @@ from insole_core.errors import InputError
 from insole_core.geometry.side import BOTH, Sides
 from insole_core.messages import Message
 from insole_core.recording.box import Box
-from insole_core.recording.session import ReferenceSystem, Session
+from insole_core.recording.sensor_folder import REFERENCE_FILE
+from insole_core.recording.session import DotPictures, ReferenceSystem, Session
 from insole_core.resources import resource_path
+from insole_core.sensing.infrared_reference import InfraredReference, check_owner
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import view_faces
+from insole_studio.acquisition.messages import Capability
 from insole_studio.acquisition.sensor_port import OpenSensor
 
 DEFAULT_SYSTEM = "reference_systems/lego-20.json"
@@ -32,6 +35,10 @@ class SensorFiles(Protocol):
         """Read a sensor; None if it was never saved."""
         ...
 
+    def reference(self, serial: str) -> InfraredReference | None:
+        """Read the pattern of dots of a sensor; None if it was never learnt."""
+        ...
+
 
 @dataclass(frozen=True, eq=False)
 class Calibrated:
@@ -44,11 +51,15 @@ class Calibrated:
         emulated sensor plays, or the device itself.
     warnings
         Sentences shown to the user.
+    dots
+        Its pattern of dots, and the shift of its infrared pictures; None if it was never learnt,
+        so that no infrared pictures are taken.
     """
 
     sensor: Sensor
     origin: Origin
     warnings: tuple[str, ...] = ()
+    dots: DotPictures | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +76,8 @@ class CaptureSetup:
         Reference frame; None lets the reconstruction find it.
     recorded
         Sensors of the emulated session, by view.
+    recorded_dots
+        Patterns of dots of the emulated session, by serial number.
     other
         The system that stands ready for the other number of feet; None where there is none.
     """
@@ -74,6 +87,7 @@ class CaptureSetup:
     volume_of_interest: Box | None = None
     recorded: dict[str, Sensor] = field(default_factory=dict)
     other: ReferenceSystem | None = None
+    recorded_dots: dict[str, InfraredReference] = field(default_factory=dict)
 
     def of_side(self, side: Sides) -> CaptureSetup:
         """Return the setup with the reference system for one foot, or for both.
@@ -121,7 +135,7 @@ class CaptureSetup:
         """
         known = self.known(opened.serial, view)
         if known is not None:
-            return known
+            return self._with_dots(known) if Capability.INFRARED in opened.capabilities else known
         faces = view_faces(view, self.system)
         sentence = Message(
             "Sensor {serial} is not calibrated; the numbers of its factory are used, which are "
@@ -129,6 +143,26 @@ class CaptureSetup:
             serial=opened.serial,
         )
         return Calibrated(opened.factory_sensor(faces), "factory", (sentence,))
+
+    def _with_dots(self, known: Calibrated) -> Calibrated:
+        """Add the pattern of dots, or why it cannot be used."""
+        serial = known.sensor.serial
+        try:
+            reference = self.stored.reference(serial) or self.recorded_dots.get(serial)
+            if reference is None:
+                return known
+            check_owner(REFERENCE_FILE, reference, serial)
+        except InputError as error:
+            sentence = Message(
+                "{reason} No infrared pictures of sensor {serial} were taken; its own depth is "
+                "used.",
+                reason=error.message,
+                serial=serial,
+            )
+            return replace(known, warnings=(*known.warnings, sentence))
+        return replace(
+            known, dots=DotPictures(reference=reference, shift_px=reference.record.shift_px)
+        )
 
     def known(self, serial: str, view: str) -> Calibrated | None:
         """Return the calibration for a serial number and view; None where this setup has none.
@@ -203,4 +237,19 @@ def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
     """
     manifest = session.manifest
     recorded = {view.name: view.sensor for view in session.views}
-    return CaptureSetup(manifest.reference_system, stored, manifest.volume_of_interest, recorded)
+    dots = {
+        view.sensor.serial: _with_shift(view.dots.reference, view.dots.shift_px)
+        for view in session.views
+        if view.dots is not None and view.dots.reference is not None and not view.dots.fault
+    }
+    return CaptureSetup(
+        manifest.reference_system,
+        stored,
+        manifest.volume_of_interest,
+        recorded,
+        recorded_dots=dots,
+    )
+
+
+def _with_shift(reference: InfraredReference, shift_px: tuple[float, float]) -> InfraredReference:
+    return replace(reference, record=replace(reference.record, shift_px=shift_px))

@@ -33,6 +33,7 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
 from insole_core.recording.session import CaptureCondition, FrameTimes, Manifest
 from insole_core.recording.writer import foreign_in_session, write_session
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import kept_request
 from insole_studio.acquisition.capture_setup import Calibrated
@@ -44,6 +45,7 @@ _FACTS = "capture"
 _WRITERS = 2
 _RAW_BYTES_PER_PX, _DEPTH_BYTES_PER_PX, _COLOR_BYTES_PER_PX = 0.4, 1.6, 2.0
 """Upper estimate of the size of a compressed picture: raw numbers have fewer bits than depth."""
+_INFRARED_BYTES = 2 * 480 * 640
 
 
 @dataclass(frozen=True)
@@ -148,7 +150,9 @@ class Draft:
         """Put the views of `order` first; the others keep their order behind them."""
         self._order = [*order, *(view for view in self._order if view not in order)]
 
-    def check_room(self, frames: int, color_frames: int, sensors: Sequence[Sensor]) -> None:
+    def check_room(
+        self, frames: int, color_frames: int, sensors: Sequence[Sensor], infrared: int = 0
+    ) -> None:
         """Check that the disk has space for a number of frames.
 
         Parameters
@@ -157,6 +161,8 @@ class Draft:
             Number of depth and colour pictures of each view.
         sensors
             One for each view.
+        infrared
+            Number of infrared pictures of all views.
 
         Raises
         ------
@@ -167,16 +173,25 @@ class Draft:
             frames * _depth_bytes(sensor) + color_frames * _color_bytes(sensor)
             for sensor in sensors
         )
+        needed += infrared * _INFRARED_BYTES
         if shutil.disk_usage(self.folder).free < needed:
             full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
             raise OutputError(describe(self.folder, full))
 
-    def begin_view(self, view: str) -> None:
-        """Prepare to take the frames of a view from a sensor."""
+    def begin_view(self, view: str, reference: InfraredReference | None = None) -> None:
+        """Prepare to take the frames of a view from a sensor.
+
+        Parameters
+        ----------
+        reference
+            Its pattern of dots, which is packed meanwhile; None without one.
+        """
         taking = self._taking(view)
         shutil.rmtree(taking, ignore_errors=True)
         make_private_folder(taking)
         self._writing[view] = []
+        if reference is not None:
+            self._pool.submit(lambda: reference.packed)
 
     def add_depth(self, view: str, index: int, image: RawArray) -> None:
         """Store depth frame number `index`.
@@ -201,13 +216,24 @@ class Draft:
         """
         self._store(view, f"color_{index:03d}.png", picture)
 
+    def add_infrared(self, view: str, index: int, picture: RawArray) -> None:
+        """Store infrared picture number `index`.
+
+        Parameters
+        ----------
+        index
+            From 0.
+        picture : (480, 640) uint16
+        """
+        self._store(view, f"infrared_{index:03d}.png", picture)
+
     def finish_view(self, view: str, calibrated: Calibrated, facts: ViewFacts) -> None:
         """Wait until a view is on the disk, and make it part of the session.
 
         Parameters
         ----------
         calibrated
-            The sensor that recorded it.
+            The sensor that recorded it, with its pattern where infrared pictures were added.
         facts
             Written to the manifest.
 
@@ -220,7 +246,7 @@ class Draft:
         with output_errors(target):
             for writing in self._writing.pop(view):
                 writing.result()
-            write_sensor(calibrated.sensor, self._taking(view), facts.times)
+            write_sensor(calibrated.sensor, self._taking(view), facts.times, calibrated.dots)
             with replacing_folder(target, nothing_foreign) as beside:
                 beside.rmdir()
                 self._taking(view).rename(beside)

@@ -13,7 +13,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.driver_values import factory_sensor, translating
 from insole_studio.acquisition.messages import Capability, DetectedSensor
@@ -40,6 +40,7 @@ _MODES: dict[ColorSize, StreamMode] = {
     (640, 480): BAYER_640,
 }
 _SETTINGS = CameraSettings(watchdog_s=3.0)
+_INFRARED_ROWS = 480
 _TILT_LIMIT_S = 5.0
 _TILT_POLL_S = 0.1
 
@@ -108,6 +109,10 @@ class KinectVideoFrame:
         if self.frame.mode is IR_640:
             return _infrared(self.frame.image)
         return _half(self.frame.image)
+
+    def dots(self) -> RawArray:
+        """Return the infrared picture (480, 640) uint16, 10 bits: the upper rows (`_infrared`)."""
+        return np.array(self.frame.image[:_INFRARED_ROWS], np.uint16)
 
 
 class OpenKinect:
@@ -365,6 +370,6 @@ def _infrared(image: NDArray[np.uint16]) -> ByteArray:
     contrast is stretched from the darkest to the brightest pixel, because with the emitter covered
     a board uses only a few of the ten bits.
     """
-    levels = image[:480].astype(float)
+    levels = image[:_INFRARED_ROWS].astype(float)
     darkest = levels.min()
     return ((levels - darkest) * (255 / max(levels.max() - darkest, 1.0))).astype(np.uint8)

@@ -11,7 +11,7 @@ from typing import Self
 
 import numpy as np
 
-from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.transforms import rigid
 from insole_core.sensing.metric_depth import StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
@@ -136,6 +136,10 @@ class RealSenseVideoFrame:
     def preview(self) -> ByteArray:
         """Return colour of at most 640 pixels in a row."""
         return np.array(small_color(self.frame.image), np.uint8)
+
+    def dots(self) -> RawArray:
+        """Fail: its infrared pictures come beside colour, never in its place."""
+        raise NotImplementedError
 
 
 class OpenRealSense:

@@ -86,6 +86,10 @@ class VideoFrame(Protocol):
         """
         ...
 
+    def dots(self) -> RawArray:
+        """Return an infrared picture as sensed, (480, 640) uint16; `Capability.INFRARED`."""
+        ...
+
 
 class OpenSensor(Protocol):
     """An open sensor. Close it, or use it as a context manager.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -181,12 +182,21 @@ def _kinect(sensor: Sensor, scenes: Mapping[float, Footage]) -> EmulatedKinect:
 def _footage(view: View) -> dict[str, list[bytes]]:
     depth = [view.read_depth(index) for index in range(view.depth_count)]
     mosaics = [mosaic(_whole(view.read_color(index))) for index in range(view.color_count)]
-    infrared = [_in_grey(view.read_color(index)) for index in range(view.color_count)]
-    return make_footage(depth, mosaics, infrared)
+    return make_footage(depth, mosaics, _infrared(view))
+
+
+def _infrared(view: View) -> list[RawArray]:
+    """Return the infrared pictures (488, 640) of a view, or colour in their place."""
+    below = (0, _INFRARED_SIZE[1] - view.sensor.depth_camera.height)
+    if view.dots is not None and view.dots.pictures is not None:
+        with suppress(InputError):  # what is wrong with them spoils no session
+            pictures = view.dots.pictures
+            return [np.pad(pictures.read(one), (below, (0, 0))) for one in range(pictures.count)]
+    return [_in_grey(view.read_color(index)) for index in range(view.color_count)]
 
 
 def _in_grey(color: ByteArray) -> RawArray:
-    """Return a colour picture as an infrared one, (488, 640), which no session contains."""
+    """Return a colour picture as an infrared one, (488, 640)."""
     grey = cv2.resize(cv2.cvtColor(color, cv2.COLOR_RGB2GRAY), _INFRARED_SIZE)
     return 4 * grey.astype(np.uint16)
 

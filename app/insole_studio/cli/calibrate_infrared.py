@@ -90,7 +90,7 @@ def _learn(arguments: argparse.Namespace, progress: Progress) -> None:
     walls = read_infrared_walls(
         arguments.walls, sensor.serial, progress.part(0, 0.2), shift_px=shift_px
     )
-    learnt = learn_reference(walls, sensor, progress.part(0.2, 0.95))
+    learnt = learn_reference(walls, sensor, progress.part(0.2, 0.95), shift_px=shift_px)
     with Transaction() as outputs:
         if arguments.out:
             learnt.reference.save(outputs.file(arguments.out))

@@ -129,7 +129,11 @@ class _Wall:
 
 
 def learn_reference(
-    walls: Sequence[InfraredWall], sensor: Sensor, progress: Progress = SILENT
+    walls: Sequence[InfraredWall],
+    sensor: Sensor,
+    progress: Progress = SILENT,
+    *,
+    shift_px: tuple[float, float] = (0.0, 0.0),
 ) -> LearntReference:
     """Learn a device's pattern and distortion from infrared pictures of flat walls.
 
@@ -139,6 +143,8 @@ def learn_reference(
         At different distances.
     sensor
         Camera, law of the disparity and, where it has one, the correction of the chip's depth.
+    shift_px
+        That the pictures were read with; kept with the pattern.
 
     Raises
     ------
@@ -200,6 +206,7 @@ def learn_reference(
             "nearest_mm": min(distances),
             "farthest_mm": max(distances),
         },
+        shift_px,
     )
     reference = InfraredReference(pattern.seen, pattern.first_px, FINE, correction, record)
     return LearntReference(reference, tuple(wall.name for wall in placed), left_out)

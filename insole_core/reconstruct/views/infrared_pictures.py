@@ -11,12 +11,8 @@ from insole_core.messages import Message
 from insole_core.reconstruct.fusion.infrared_evidence import InfraredView
 from insole_core.reconstruct.fusion.infrared_surface import InfraredUse
 from insole_core.recording.session import View
-from insole_core.sensing.infrared_reference import on_depth_pixels
+from insole_core.sensing.infrared_reference import check_picture, on_depth_pixels
 
-_GREATEST = 1023
-_SATURATED_SHARE = 0.02
-_BLACK = 20
-"""Number (of 1023) that one pixel in a hundred exceeds, also where the foot fills little."""
 _TOLD_SHARE = 0.9
 
 
@@ -44,13 +40,7 @@ def infrared_view(view: View) -> InfraredView | None:
     for index in range(dots.pictures.count):
         total += dots.pictures.read(index)
     mean = total / dots.pictures.count
-    if (mean >= _GREATEST).mean() > _SATURATED_SHARE:
-        raise InputError(
-            "its infrared pictures are saturated; lower their brightness, or keep sunlight off the "
-            "foot."
-        )
-    if np.percentile(mean, 99) < _BLACK:
-        raise InputError("its infrared pictures are black; see that the emitter is on.")
+    check_picture(mean)
     placed = on_depth_pixels(mean, dots.shift_px)
     return InfraredView(placed.astype(np.float32), dots.reference)
 

@@ -2856,6 +2856,10 @@
             <translation>Någon annan har ritat på fotot under tiden; titta på det igen.</translation>
         </message>
         <message>
+            <source>Something moved between depth and infrared of view {view}, so its infrared pictures are left out and the sensor's own depth is used; hold the foot still and capture this view again.</source>
+            <translation>Något rörde sig mellan djup och infrarött i vyn {view}, så dess infraröda bilder utelämnas och sensorns eget djup används; håll foten stilla och ta vyn igen.</translation>
+        </message>
+        <message>
             <source>Something moved while view {view} was captured; hold the foot still and capture this view again.</source>
             <translation>Något rörde sig medan vyn {view} togs; håll foten stilla och ta vyn igen.</translation>
         </message>
@@ -2902,6 +2906,10 @@
         <message>
             <source>Take {count} more pictures, the board tilted by 20 to 40° to another side each time.</source>
             <translation>Ta {count} bilder till, med brädet lutat 20 till 40° åt ett nytt håll varje gång.</translation>
+        </message>
+        <message>
+            <source>Taking infrared pictures of view {views}</source>
+            <translation>Tar infraröda bilder av vyn {views}</translation>
         </message>
         <message>
             <source>Taking the background away</source>
@@ -9942,6 +9950,10 @@
         <message>
             <source>{rearfoot} / {forefoot}</source>
             <translation>{rearfoot} / {forefoot}</translation>
+        </message>
+        <message>
+            <source>{reason} No infrared pictures of sensor {serial} were taken; its own depth is used.</source>
+            <translation>{reason} Inga infraröda bilder togs med sensorn {serial}; dess eget djup används.</translation>
         </message>
         <message>
             <source>{reason} The sensor's own depth was used.</source>

@@ -15,6 +15,7 @@ from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.geometry.side import Side
 from insole_core.recording.session import CaptureCondition, Manifest
 from insole_core.resources import resource_path
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import CapturePlan
 from insole_studio.acquisition.capture_runner import (
@@ -49,6 +50,9 @@ class NothingStored:
     """No sensor was ever calibrated here."""
 
     def load(self, _serial: str) -> Sensor | None:
+        return None
+
+    def reference(self, _serial: str) -> InfraredReference | None:
         return None
 
 

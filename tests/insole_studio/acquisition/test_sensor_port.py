@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from capture_samples import Bench
 
-from insole_core.geometry.arrays import ByteArray
+from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.sensor import Sensor, nominal_kinect
 from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.live_sensors import LiveSensors
@@ -45,6 +45,9 @@ class PlainVideo:
 
     def preview(self) -> ByteArray:
         return self.picture()[::2, ::2]
+
+    def dots(self) -> RawArray:
+        raise AssertionError("nobody may ask for it")
 
 
 @dataclass

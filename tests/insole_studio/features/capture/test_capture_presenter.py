@@ -17,6 +17,7 @@ from pytestqt.qtbot import QtBot
 from insole_core.geometry.side import BOTH, Side
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_setup import Calibrated, own_setup, recorded_setup
 from insole_studio.acquisition.draft import Draft, ViewFacts
@@ -151,6 +152,9 @@ class Bench:
 
 class NothingStored:
     def load(self, _serial: str) -> Sensor | None:
+        return None
+
+    def reference(self, _serial: str) -> InfraredReference | None:
         return None
 
 
