@@ -136,14 +136,14 @@ def _sessions(scratch: Path) -> Iterator[Path]:
             mesh = place_foot(read_mesh(SHARED / file).mesh, side, frame="unknown").mesh
             mesh = TriangleMesh(mesh.vertices * scale, mesh.triangles)
             shown = side.other if mirrored else side
-            body = _body(mesh.mirrored() if mirrored else mesh, shown)
+            body = body_of(mesh.mirrored() if mirrored else mesh, shown)
             options = SimulationOptions(
                 seed=SEED + 50 + number, side=shown, distance_mm=distance_mm, body=body
             )
             yield _written(options, scratch / f"{Path(file).parent}_{number}")
 
 
-def _body(mesh: TriangleMesh, side: Side) -> KnownBody:
+def body_of(mesh: TriangleMesh, side: Side) -> KnownBody:
     """Place a foot, mm, insole frame, in the middle, with skin; what holds it cannot be seen."""
     low = mesh.vertices[mesh.vertices[:, 2] < 45.0]
     middle = (low.min(axis=0) + low.max(axis=0)) / 2

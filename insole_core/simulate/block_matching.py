@@ -9,7 +9,7 @@ slower than the parametric model of `depth_image`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -20,7 +20,8 @@ from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.simulate.device import BLIND_COLUMNS, WINDOW_PX, Device
 from insole_core.simulate.dot_pattern import BLUR_PX, RAW_PER_PX, DotPattern
-from insole_core.simulate.scene import Hits, SceneCaster
+from insole_core.simulate.scene import Caster, Hits
+from insole_core.simulate.surroundings import BARE, Surroundings
 
 _SUBSAMPLES = 4
 _BRIGHT_MM = 800.0
@@ -30,6 +31,8 @@ _LEAST_VARIANCE = 1e-4
 _SEARCH_RAW = 12
 """Margin of the search in raw units; the real sensor's full range would only add rare outliers."""
 _MARGIN_PX = 14
+_BLACK, _PER_BRIGHTNESS, _GREATEST = 8.0, 60.0, 1023
+"""Numbers of an infrared picture without light, for brightness 1, and the greatest of 10 bits."""
 
 Region = tuple[slice, slice]
 """Rows and columns of a depth image."""
@@ -91,13 +94,24 @@ class MatchedRecording:
 
     def frame(self, rng: np.random.Generator) -> RawArray:
         """Draw one frame: (480, 640) uint16."""
+        raw = np.full((self.camera.height, self.camera.width), NO_READING, np.uint16)
+        raw[self.region] = self._match(self._exposed(rng))
+        raw[:, BLIND_COLUMNS] = NO_READING
+        return raw
+
+    def picture(self, rng: np.random.Generator) -> RawArray:
+        """Draw one infrared picture: (480, 640) uint16, 10 bits; 0 outside the region."""
+        numbers = np.rint(_BLACK + _PER_BRIGHTNESS * self._exposed(rng))
+        picture = np.zeros((self.camera.height, self.camera.width), np.uint16)
+        picture[self.region] = np.clip(numbers, 0, _GREATEST)
+        return picture
+
+    def _exposed(self, rng: np.random.Generator) -> Float32Array:
+        """Return the brightness of one exposure, with the camera's noise."""
         matcher = self.matcher
         std = np.sqrt(matcher.shot_noise**2 * self.infrared + matcher.read_noise**2)
         noise = rng.standard_normal(self.infrared.shape, dtype=np.float32)
-        raw = np.full((self.camera.height, self.camera.width), NO_READING, np.uint16)
-        raw[self.region] = self._match(self.infrared + std * noise)
-        raw[:, BLIND_COLUMNS] = NO_READING
-        return raw
+        return np.asarray(self.infrared + std * noise)
 
     def _match(self, image: Float32Array) -> RawArray:
         """Find for every window the raw value at which the pattern correlates with it best."""
@@ -128,13 +142,15 @@ class MatchedRecording:
 
 
 def record_matched_depth(
-    caster: SceneCaster,
+    caster: Caster,
     device: Device,
     sensor2reference: FloatArray,
     rng: np.random.Generator,
     *,
     things: FloatArray,
     matcher: Matcher = REAL_MATCHER,
+    dots: np.random.Generator | None = None,
+    surroundings: Surroundings = BARE,
 ) -> MatchedRecording:
     """Record a scene with a device's depth camera by block matching.
 
@@ -150,6 +166,9 @@ def record_matched_depth(
     things : (n, 3) float64, mm, reference frame
         Points to be measured; only the region around them is simulated.
     matcher
+    dots
+        For the pattern of the device; None takes `rng`.
+    surroundings
 
     Returns
     -------
@@ -157,8 +176,9 @@ def record_matched_depth(
     """
     camera = device.sensor.depth_camera
     region = _region(camera, transform(inverse(sensor2reference), things))
-    pattern = DotPattern.draw(rng, region[0], px_per_dot=matcher.px_per_dot)
-    light = _Light(caster, device, sensor2reference, pattern)
+    pattern = DotPattern.draw(dots or rng, region[0], px_per_dot=matcher.px_per_dot)
+    drifted = replace(pattern, drift_raw=RAW_PER_PX * surroundings.drift_px)
+    light = _Light(caster, device, sensor2reference, drifted, surroundings)
     image, lowest, highest = light.on(region)
     speckle = rng.gamma(matcher.speckle_contrast**-2, matcher.speckle_contrast**2, image.shape)
     infrared = cv2.GaussianBlur(image * speckle.astype(np.float32), (0, 0), BLUR_PX)
@@ -184,10 +204,11 @@ def _moments(image: Float32Array, window_px: tuple[int, int]) -> tuple[Float32Ar
 class _Light:
     """A projector that illuminates a scene, and the camera beside it."""
 
-    caster: SceneCaster
+    caster: Caster
     device: Device
     sensor2reference: FloatArray
     pattern: DotPattern
+    surroundings: Surroundings
 
     def on(self, region: Region) -> tuple[Float32Array, float, float]:
         """Render a region (height, width); return it with its least and greatest raw value."""
@@ -205,17 +226,19 @@ class _Light:
         return image, lowest, highest
 
     def _dots(self, pixels: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Return index, brightness and raw value of those pixels (n, 2) that show something lit."""
+        """Return index and brightness of pixels (n, 2) that show something, and raw of the lit."""
         camera, pose = self.device.sensor.depth_camera, self.sensor2reference
         rays = np.c_[camera.normalised(pixels), np.ones(len(pixels))] @ pose[:3, :3].T
         hits = self.caster.cast(pose[:3, 3], rays)
         projector = transform(pose, self.device.projector_mm)
         lit = ~self.caster.is_blocked(hits.points, projector)
-        ray = hits.ray[lit]
+        shown = pixels[hits.ray[lit]]
         ideal = self.device.sensor.disparity.raw(hits.distance[lit])
-        u, v = pixels[ray].T
-        raw = self.device.distort_at(ideal, pixels[ray])
-        return ray, _shade(hits, projector)[lit] * self.pattern.brightness(u, v, raw), raw
+        raw = self.device.distort_at(ideal, shown)
+        light = _shade(hits, projector)
+        light[lit] *= self.pattern.brightness(shown[:, 0], shown[:, 1], raw)
+        light[~lit] = 0.0
+        return hits.ray, self.surroundings.seen(hits, light, pose[:3, 3], projector), raw
 
 
 def _shade(hits: Hits, projector: FloatArray) -> FloatArray:

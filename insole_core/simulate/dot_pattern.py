@@ -47,10 +47,13 @@ class DotPattern:
         Some rows of the pattern.
     rows
         Rows of the depth image that the texture covers.
+    drift_raw
+        By which the projector throws the dots elsewhere than when the pattern was drawn.
     """
 
     texture: Float32Array
     rows: slice
+    drift_raw: float = 0.0
 
     @staticmethod
     def draw(
@@ -100,7 +103,7 @@ class DotPattern:
         -------
         (n,) float32, about 1 on average
         """
-        across = np.clip(u * _ACROSS + raw, 0, self.texture.shape[1] - 2)
+        across = np.clip(u * _ACROSS + raw + self.drift_raw, 0, self.texture.shape[1] - 2)
         row = np.rint(v * _DOWN).astype(int) - self.rows.start * _DOWN
         row = np.clip(row, 0, len(self.texture) - 1)
         column = across.astype(int)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -157,6 +158,18 @@ class Hits:
     points: FloatArray
     normals: FloatArray
     colors: FloatArray
+
+
+class Caster(Protocol):
+    """A scene into which rays are cast."""
+
+    def cast(self, origin: FloatArray, directions: FloatArray) -> Hits:
+        """Find the first hits of rays (n, 3) from one origin (3,), mm, frame of the scene."""
+        ...
+
+    def is_blocked(self, points: FloatArray, target: FloatArray) -> BoolArray:
+        """Return which points (n, 3) are hidden from a target (3,), mm, frame of the scene."""
+        ...
 
 
 class SceneCaster:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
 from typing import Literal, Protocol, get_args
@@ -20,6 +20,7 @@ from insole_core.recording.box import Box
 from insole_core.recording.sensor_folder import COLOR_SIZES
 from insole_core.recording.session import (
     CaptureCondition,
+    DotPictures,
     InfraredPictures,
     Manifest,
     ReferenceSystem,
@@ -33,7 +34,11 @@ from insole_core.simulate.active_stereo import (
     make_stereo_device,
     record_stereo,
 )
-from insole_core.simulate.block_matching import record_matched_depth
+from insole_core.simulate.block_matching import (
+    REAL_MATCHER,
+    MatchedRecording,
+    record_matched_depth,
+)
 from insole_core.simulate.color_image import ColorRecording, record_color
 from insole_core.simulate.depth_image import record_depth
 from insole_core.simulate.device import Device, make_device
@@ -42,6 +47,7 @@ from insole_core.simulate.foot_shape import FootShape, Limits, check_limits, var
 from insole_core.simulate.known_bodies import KnownBody
 from insole_core.simulate.poses import AROUND_ONE_FOOT, Stand, stand_sensor, stands_around_both
 from insole_core.simulate.scene import SceneCaster, build_scene, joined, load_reference_system
+from insole_core.simulate.surroundings import Disturbance, disturbed
 
 SensorKind = Literal["kinect", "d415", "mixed"]
 SENSOR_KINDS: tuple[SensorKind, ...] = get_args(SensorKind)
@@ -61,6 +67,7 @@ _LIMITS: Limits = {
     "bursts": ("number of places each sensor stands in", 1, 9),
     "frames": ("number of depth frames", 1, 999),
     "color_frames": ("number of colour frames", 1, 999),
+    "infrared_frames": ("number of infrared pictures", 0, 999),
     "sensors": ("number of sensors around both feet", 4, 6),
     "foot_cell_mm": ("resolution of the foot's surface (mm)", 1, 8),
 }
@@ -128,12 +135,17 @@ class SimulationOptions:
     sensor
         ``kinect``, ``d415`` (stereo cameras as a RealSense D415, all projectors on at once), or
         ``mixed``: stereo cameras before the sole, Kinects behind the tendon.
+    infrared_frames
+        Number of infrared pictures of every view of a Kinect. With any, the dots are the sensor's
+        own, those of its walls (`simulate_walls`); else they are drawn with the view.
+    disturbances
+        What spoils the infrared picture, and so the depth.
 
     Raises
     ------
     UsageError
-        When a number is out of its range, the shape is of the other side, or a body is given in
-        place of both feet.
+        When a number is out of its range, the shape is of the other side, a body is given in place
+        of both feet, or infrared pictures are asked of sensors without dots of their own.
     """
 
     seed: int = 1
@@ -153,6 +165,8 @@ class SimulationOptions:
     sensor_seed: int | None = None
     foot_seed: int | None = None
     sensor: SensorKind = "kinect"
+    infrared_frames: int = 0
+    disturbances: tuple[Disturbance, ...] = ()
 
     def __post_init__(self) -> None:
         check_limits(self, _LIMITS)
@@ -167,6 +181,11 @@ class SimulationOptions:
             raise UsageError(
                 "A stereo camera always has a matching window, and colour images of 1920 x 1080; "
                 "leave out what asks for others."
+            )
+        if (self.infrared_frames or self.disturbances) and (self.ideal or self.sensor != "kinect"):
+            raise UsageError(
+                "Infrared pictures of dots are those of Kinects with a matching window; leave out "
+                "ideal and stereo sensors, or the infrared pictures and what disturbs them."
             )
         if self.shape is not None and self.shape.side is not self.side:
             raise UsageError(
@@ -251,10 +270,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     record = _recorder_of_depth(options, things)
     stands = _stands(options.sensors, reference_system)
     plan = _plan(stands, options.bursts)
-    devices = {
-        name: _device(options, number, stand.face)
-        for number, (name, stand) in enumerate(stands.items())
-    }
+    devices = devices_of(options)
     rngs = [np.random.default_rng([options.seed, 2, number]) for number in range(len(plan))]
     poses = {
         name: stand_sensor(stands[sensor], options.distance_mm, options.half_angle_deg, rng)
@@ -269,7 +285,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
             projectors = _projectors(plan, devices, poses, name)
             depth = record_stereo(caster, projectors[0], projectors, rng, things=things)
         else:
-            depth = record(caster, device, poses[name], rng)
+            depth = record(caster, device, poses[name], rng, dots=_dots(options, device))
         color = record_color(caster, device.sensor, poses[name])
         recorder = Recorder(depth, color, [options.seed, 3, number])
         views.append(_view(name, device, recorder, options))
@@ -278,6 +294,25 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
         manifest, tuple(views), Message("the simulation with seed {seed}", seed=options.seed)
     )
     return SimulatedSession(session, feet, truths, poses)
+
+
+def devices_of(options: SimulationOptions) -> dict[str, Device | StereoDevice]:
+    """Return the sensors that take a session, by the names of their views."""
+    both = options.side == BOTH
+    system = load_reference_system(_BOTH_FEET if both else _ONE_FOOT)
+    return {
+        name: _device(options, number, stand.face)
+        for number, (name, stand) in enumerate(_stands(options.sensors, system).items())
+    }
+
+
+def dots_of(device: Device) -> np.random.Generator:
+    """Return the random numbers that place the dots of a device, the same at every call."""
+    return np.random.default_rng([*device.sensor.serial.encode()])
+
+
+def _dots(options: SimulationOptions, device: Device) -> np.random.Generator | None:
+    return dots_of(device) if options.infrared_frames else None
 
 
 def _standing(options: SimulationOptions, rng: np.random.Generator) -> tuple[StandingFoot, ...]:
@@ -386,6 +421,7 @@ def _view(
         recorder.read_depth,
         recorder.read_color,
         recorder.infrared,
+        dots=recorder.dots(options.infrared_frames),
     )
 
 
@@ -410,12 +446,37 @@ class _DepthView(Protocol):
         ...
 
 
-def _recorder_of_depth(
-    options: SimulationOptions, things: FloatArray
-) -> Callable[[SceneCaster, Device, FloatArray, np.random.Generator], _DepthView]:
+class _Record(Protocol):
+    """Record a scene by the depth camera of a device."""
+
+    def __call__(
+        self,
+        caster: SceneCaster,
+        device: Device,
+        sensor2reference: FloatArray,
+        rng: np.random.Generator,
+        *,
+        dots: np.random.Generator | None,
+    ) -> _DepthView: ...
+
+
+def _recorder_of_depth(options: SimulationOptions, things: FloatArray) -> _Record:
     if options.ideal:
-        return record_depth
-    return partial(record_matched_depth, things=things)
+        return _record_ideal
+    matcher, around = disturbed(REAL_MATCHER, options.disturbances, float(things[:, 1].max()))
+    return partial(record_matched_depth, things=things, matcher=matcher, surroundings=around)
+
+
+def _record_ideal(
+    caster: SceneCaster,
+    device: Device,
+    sensor2reference: FloatArray,
+    rng: np.random.Generator,
+    *,
+    dots: np.random.Generator | None,
+) -> _DepthView:
+    assert dots is None, "an ideal sensor has no dots"
+    return record_depth(caster, device, sensor2reference, rng)
 
 
 @dataclass(frozen=True, eq=False)
@@ -446,6 +507,16 @@ class Recorder:
         return {
             name: InfraredPictures(1, partial(_only, image), bits=8) for name, image in pair.items()
         }
+
+    def dots(self, count: int) -> DotPictures | None:
+        """Some infrared pictures of a Kinect's dots."""
+        if not count or not isinstance(self.depth, MatchedRecording):
+            return None
+        return DotPictures(InfraredPictures(count, self._read_infrared, bits=16))
+
+    def _read_infrared(self, index: int) -> RawArray:
+        assert isinstance(self.depth, MatchedRecording)
+        return self.depth.picture(np.random.default_rng([*self.seed, 4, index]))
 
 
 def _only(image: RawArray, _index: int) -> RawArray:

@@ -90,14 +90,50 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="sensors without a matching window, which see finer than real ones (quicker)",
     )
+    _add_infrared_arguments(parser)
+
+
+def _add_infrared_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--infrared", action="store_true",
+        help="with the infrared pictures of the Kinects' dots",
+    )  # fmt: skip
+    parser.add_argument(
+        "--infrared-frames", type=whole, default=6, metavar="N",
+        help="infrared pictures a view (default 6)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--learnt-from", type=whole, metavar="N",
+        help="learn the dots of every sensor from so many simulated walls (4 to 30), and put them "
+        "into the session",
+    )  # fmt: skip
+    parser.add_argument(
+        "--walls", action=OutputPath, metavar="FOLDER",
+        help="write infrared pictures and depth of walls before every sensor, for calibrate "
+        "infrared: a folder for each, named by its serial number",
+    )  # fmt: skip
+    parser.add_argument(
+        "--wall-count", type=whole, default=12, metavar="N",
+        help="walls before a sensor (default 12)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--disturbed", action="append", choices=["speckle", "noise", "sunlight", "drift", "skin"],
+        default=[],
+        help="what spoils the infrared picture: speckle of 50 %%, twice the noise, sunlight on "
+        "half of the foot, dots that have moved by 0.1 px, or hair and a glossy nail; may be "
+        "repeated",
+    )  # fmt: skip
 
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Simulate a session and write it."""
     from insole_core.recording.writer import check_session_target, write_session
     from insole_core.simulate import SimulationOptions, simulate_session
+    from insole_core.simulate.infrared_walls import with_patterns, write_walls
 
     check_session_target(arguments.out)
+    if not arguments.infrared and (arguments.walls or arguments.learnt_from is not None):
+        raise UsageError("--walls and --learnt-from are for infrared pictures; add --infrared.")
     both = arguments.side == BOTH
     if arguments.sensors is not None and not both:
         raise UsageError("--sensors is for both feet; add --side both, or leave it out.")
@@ -116,10 +152,17 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         ideal=arguments.ideal,
         sensors=4 if arguments.sensors is None else arguments.sensors,
         body=_body(arguments),
+        infrared_frames=arguments.infrared_frames if arguments.infrared else 0,
+        disturbances=tuple(arguments.disturbed),
     )
-    simulated = simulate_session(options, progress.part(0.0, 0.8))
+    if arguments.walls:
+        write_walls(options, arguments.wall_count, arguments.walls, progress.part(0.0, 0.4))
+    simulated = simulate_session(options, progress.part(0.4, 0.6))
+    session = simulated.session
+    if arguments.learnt_from is not None:
+        session = with_patterns(session, options, arguments.learnt_from, progress.part(0.6, 0.8))
     write_session(
-        simulated.session,
+        session,
         arguments.out,
         simulated.truths if both else simulated.truth,
         simulated.sensor2reference,

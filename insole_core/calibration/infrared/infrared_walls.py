@@ -21,7 +21,7 @@ from insole_core.sensing.infrared_reference import on_depth_pixels
 _NAME = re.compile(r"infrared_(\d{2,4})\.png")
 _SHAPE = (480, 640)
 _GREATEST = 1023
-_MEAN_SCALE = 64
+MEAN_SCALE = 64
 """A mean of pictures is stored as 64 times the number of the sensor, which has 10 bits."""
 _SATURATED_SHARE = 0.01
 _LEAST_LIGHT = 4.0
@@ -158,4 +158,4 @@ def _read_infrared(path: Path) -> FloatArray:
             "sensor sends it beside the depth.",
             path=path,
         )
-    return np.asarray(image / (_MEAN_SCALE if image.max() > _GREATEST else 1), np.float64)
+    return np.asarray(image / (MEAN_SCALE if image.max() > _GREATEST else 1), np.float64)

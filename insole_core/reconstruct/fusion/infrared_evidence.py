@@ -8,7 +8,8 @@ curve, and ends where the surface ends.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -20,11 +21,14 @@ from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.observation import Observations, hits_of
 from insole_core.sensing.infrared_reference import InfraredReference
 
-_WINDOW_PX = 4.0
+_WINDOW_PX = 8.0
 """Standard deviation of the windows in which gain, offset and likeness are judged."""
+_SHARPER, _SHARPER_PX = 2.0, 0.7
+"""Speckle lies before the lens, which blurs dots and speckle alike, so that neighbours share it.
+Where both picture and pattern are sharpened, what a pixel says is more its own."""
 _READ_NOISE, _SPECKLE = 0.3, 0.5
 """Standard deviations relative to the mean brightness, and to that of the dot."""
-_SHARED_PX = 20
+_SHARED_PX = 6
 """Number of pixels that share the error of their dot: speckle, and where the pattern has it."""
 _ROBUST = 2.5
 _LEAST_COSINE = 0.25
@@ -50,6 +54,17 @@ class InfraredView:
 
     picture: Float32Array
     reference: InfraredReference
+
+    @cached_property
+    def sharpened(self) -> Float32Array:
+        """The picture, sharpened as `sharp_reference` is."""
+        return _sharpened(self.picture, 1)
+
+    @cached_property
+    def sharp_reference(self) -> InfraredReference:
+        """The pattern, sharpened."""
+        pattern = _sharpened(self.reference.pattern, self.reference.fine)
+        return replace(self.reference, pattern=pattern)
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,12 +141,12 @@ def _compare(
     infrared: InfraredView, reading: DepthView, raw: FloatArray, shown: BoolArray
 ) -> _Windows:
     """Find gain and offset around every pixel, and how well picture and pattern agree there."""
-    pattern, slope = _pattern(infrared.reference, reading, raw)
+    pattern, slope = _pattern(infrared.sharp_reference, reading, raw)
     height, width = raw.shape
     u, v = reading.corner
     mask = shown.astype(float)
     area = np.maximum(_around(mask), 1e-6)
-    picture = infrared.picture[v : v + height, u : u + width].astype(float)
+    picture = infrared.sharpened[v : v + height, u : u + width].astype(float)
     picture = picture / np.maximum(_around(mask * picture) / area, 1.0)
     noise = _READ_NOISE**2 + (_SPECKLE * pattern) ** 2
     weight = mask / noise
@@ -167,6 +182,12 @@ def _pattern(
     whole[part] = np.where(np.isfinite(raw), raw, _UNSEEN_RAW)
     seen, slope = reference.shown(reference.distorted(whole)[part], reading.corner)
     return seen.astype(float), slope.astype(float)
+
+
+def _sharpened(image: Float32Array, fine: int) -> Float32Array:
+    """Sharpen an image that has so many columns per pixel."""
+    blurred = cv2.GaussianBlur(image, (0, 0), sigmaX=_SHARPER_PX * fine, sigmaY=_SHARPER_PX)
+    return np.asarray(image + np.float32(_SHARPER) * (image - blurred), np.float32)
 
 
 def _around(image: FloatArray) -> FloatArray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -52,6 +52,10 @@ class Observations:
     information: FloatArray
     shared: FloatArray
     terms: FloatArray
+
+    def shifted(self, by_raw: float) -> Observations:
+        """Return them with readings that are larger by a number of raw units."""
+        return replace(self, residuals=self.residuals + by_raw)
 
 
 def observe(

@@ -140,9 +140,9 @@ class NearLimits:
     """
 
     refinement: RefinementLimits = field(
-        default_factory=lambda: RefinementLimits(view_offset_raw=1.0)
+        default_factory=lambda: RefinementLimits(stiffness=30.0, view_offset_raw=0.2)
     )
-    hold: float = 0.02
+    hold: float = 0.003
     rounds: int = 2
     farthest_mm: float = 2.0
 

@@ -11,7 +11,7 @@ from insole_core.messages import Message
 from insole_core.reconstruct.fusion.infrared_evidence import InfraredView
 from insole_core.reconstruct.fusion.infrared_surface import InfraredUse
 from insole_core.recording.session import View
-from insole_core.sensing.infrared_reference import check_picture, on_depth_pixels
+from insole_core.sensing.infrared_reference import RAW_PER_PX, check_picture, on_depth_pixels
 
 _TOLD_SHARE = 0.9
 
@@ -107,5 +107,16 @@ def infrared_warnings(
         )
         for name, use in infrared.items()
         if use.used and use.share < _TOLD_SHARE
+    ]
+    told += [
+        Message(
+            "View {view}: the pattern of its sensor has drifted by {drift:.2f} px against the "
+            "sensor's own depth, which was taken for the distance of the whole; learn the pattern "
+            "again (calibrate infrared).",
+            view=name,
+            drift=abs(use.drift_raw) / RAW_PER_PX,
+        )
+        for name, use in infrared.items()
+        if use.used and use.has_drifted
     ]
     return told

@@ -1524,6 +1524,10 @@
             <translation>Den mediala väggens lutning; &gt; 0 är bredare nedtill</translation>
         </message>
         <message>
+            <source>Infrared pictures of dots are those of Kinects with a matching window; leave out ideal and stereo sensors, or the infrared pictures and what disturbs them.</source>
+            <translation>Infraröda bilder av prickar tas av Kinect-sensorer med matchningsfönster; utelämna ideala sensorer och stereokameror, eller de infraröda bilderna och det som stör dem.</translation>
+        </message>
+        <message>
             <source>Inside</source>
             <translation>Insida</translation>
         </message>
@@ -2800,6 +2804,10 @@
             <translation>Simulerar vyn {name}</translation>
         </message>
         <message>
+            <source>Simulating walls before sensor {serial}</source>
+            <translation>Simulerar väggar framför sensor {serial}</translation>
+        </message>
+        <message>
             <source>Size of the shoe</source>
             <translation>Skons storlek</translation>
         </message>
@@ -3582,6 +3590,10 @@
         <message>
             <source>The noise needs at least two frames with readings; record more.</source>
             <translation>Bruset behöver minst två bilder med mätvärden; spela in fler.</translation>
+        </message>
+        <message>
+            <source>The number of walls is {count}; give 1 to {most}.</source>
+            <translation>Antalet väggar är {count}; ange 1 till {most}.</translation>
         </message>
         <message>
             <source>The only variant of a foot cannot be deleted; empty it instead.</source>
@@ -4754,6 +4766,10 @@
         <message>
             <source>View {view}: its infrared pictures were trusted on {share:.0%} of the foot; on the rest the sensor's own depth was used.</source>
             <translation>Vy {view}: dess infraröda bilder var att lita på på {share:.0%} av foten; på resten användes sensorns eget djup.</translation>
+        </message>
+        <message>
+            <source>View {view}: the pattern of its sensor has drifted by {drift:.2f} px against the sensor's own depth, which was taken for the distance of the whole; learn the pattern again (calibrate infrared).</source>
+            <translation>Vy {view}: sensorns mönster har flyttat sig {drift:.2f} px mot sensorns eget djup, som fick avgöra avståndet i stort; lär in mönstret igen (calibrate infrared).</translation>
         </message>
         <message>
             <source>View {view}: {warning}</source>
@@ -7194,6 +7210,10 @@
         <message>
             <source>number of depth frames</source>
             <translation>antalet djupbilder</translation>
+        </message>
+        <message>
+            <source>number of infrared pictures</source>
+            <translation>antalet infraröda bilder</translation>
         </message>
         <message>
             <source>number of places each sensor stands in</source>

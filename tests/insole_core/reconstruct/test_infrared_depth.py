@@ -109,7 +109,24 @@ def test_infrared_pictures_bring_the_foot_nearer_the_truth(
     assert depth["deviation_of"] == "chip"
 
 
-def test_by_chip_they_change_nothing(dotted: Session, fused: Reconstruction) -> None:
+def test_a_pattern_that_drifted_is_told_and_moves_nothing(
+    dotted: Session, fused: Reconstruction, truth: TriangleMesh
+) -> None:
+    views = []
+    for view in dotted.views:
+        assert view.dots is not None
+        assert view.dots.reference is not None
+        drifted = DisparityCorrection(view.dots.reference.correction.offset + np.float32(1.2))
+        reference = replace(view.dots.reference, correction=drifted)
+        views.append(replace(view, dots=replace(view.dots, reference=reference)))
+    made = reconstruct(replace(dotted, views=tuple(views)))
+
+    assert mean_error_mm(made, truth) < 0.95 * mean_error_mm(fused, truth)
+    told = [warning for warning in made.warnings if "has drifted by 0.1" in warning]
+    assert len(told) == len(views)
+
+
+def test_fused_they_change_nothing(dotted: Session, fused: Reconstruction) -> None:
     made = reconstruct(dotted, depth="chip")
 
     np.testing.assert_array_equal(made.mesh.vertices, fused.mesh.vertices)

@@ -204,6 +204,7 @@ def test_unknown_command_is_a_wrong_call(capsys: pytest.CaptureFixture[str]) -> 
         (["simulate", "s", "--distance", "1e308"], "1e308 is no usual number"),
         (["simulate", "s", "--seed", "7" * 400], "77… is no usual number"),
         (["simulate", "s", "--side", "x" * 5000], "invalid choice"),
+        (["simulate", "s", "--disturbed", "rain"], "invalid choice"),
     ],
 )
 def test_wrong_arguments_name_a_remedy(
@@ -252,6 +253,15 @@ def test_failures_leave_nothing_behind(
     call, expected = FAILURES[name]
     assert run([word.format(tmp=tmp_path, foot=right_foot) for word in call]) == 1
     assert expected in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("option", [["--walls", "w"], ["--learnt-from", "12"]])
+def test_walls_are_for_infrared_pictures(
+    option: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["simulate", str(tmp_path / "s"), *option]) == 2
+    assert last_line(capsys).endswith("are for infrared pictures; add --infrared.")
     assert list(tmp_path.iterdir()) == []
 
 
