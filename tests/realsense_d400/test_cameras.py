@@ -97,7 +97,9 @@ def test_three_recordings_play_at_once_bit_for_bit(tmp_path: Path) -> None:
         pipeline, config = rs.pipeline(context), rs.config()
         config.enable_device_from_file(str(tmp_path / f"{one.serial}.db3"), repeat_playback=False)
         config.enable_stream(rs.stream.depth)
-        pipeline.start(config).get_device().as_playback().set_real_time(False)
+        resolved = config.resolve(rs.pipeline_wrapper(pipeline))
+        resolved.get_device().as_playback().set_real_time(False)
+        pipeline.start(config)
         pipelines.append(pipeline)
     for one, pipeline in zip(made, pipelines, strict=True):
         seen = []
