@@ -10,7 +10,16 @@ DECISIONS = ROOT / "docs" / "decisions"
 FOLDERS = ("app", "benchmarks", "docs", "drivers", "insole_core", "packaging", "tests", "training")
 PLACES = (
     ROOT,
-    *(ROOT / folder for folder in ("app", "app/insole_studio", "drivers/kinect", "insole_core")),
+    *(
+        ROOT / folder
+        for folder in (
+            "app",
+            "app/insole_studio",
+            "drivers/kinect",
+            "drivers/realsense",
+            "insole_core",
+        )
+    ),
 )
 """Where a path that a page names may begin."""
 MADE = ("benchmarks/results", "insole_core/_resources", "resources/manual")

@@ -17,7 +17,7 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, Float32Array, Floa
 from insole_core.given_file import read_given
 from insole_core.json_object import JsonObject
 from insole_core.sensing.disparity import DisparityModel
-from insole_core.sensing.metric_depth import RAW_PER_PX, binned_map
+from insole_core.sensing.metric_depth import RAW_PER_PX, binned_map, spread_map
 from insole_core.stored_arrays import pack_arrays, read_arrays
 
 VERSION = 2
@@ -171,6 +171,30 @@ class DisparityCorrection:
             slope=None if self.slope is None else binned_map(self.slope, size),
             deviation=None if self.deviation is None else binned_map(self.deviation, size),
             coverage=None if covered is None else np.ceil(covered).astype(np.uint8),
+        )
+
+    def spread(self, size: int, height: int, width: int) -> DisparityCorrection:
+        """Return the correction of an image of squares of pixels, for the pixels themselves.
+
+        Parameters
+        ----------
+        size
+            Of a square, px.
+        height, width
+            Of the image, whose last rows and columns need not fill a square.
+        """
+        if size == 1:
+            return self
+
+        def maps(values: Float32Array | ByteArray | None) -> Any:
+            return None if values is None else spread_map(values, size, height, width)
+
+        return replace(
+            self,
+            offset=maps(self.offset),
+            slope=maps(self.slope),
+            deviation=maps(self.deviation),
+            coverage=maps(self.coverage),
         )
 
     def save(self, path: Path) -> None:

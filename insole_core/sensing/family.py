@@ -27,6 +27,8 @@ class SensorFamily:
         Whether the error of the matching was learnt for it (`matching_error`).
     reach_mm
         Distances of a foot at which it measures well.
+    wall_mm
+        Distances of the walls that its distortion is calibrated with.
     """
 
     name: str
@@ -35,13 +37,16 @@ class SensorFamily:
     shared_px: int
     learnt: bool = False
     reach_mm: tuple[float, float] = (0.0, 10_000.0)
+    wall_mm: tuple[float, float] = (500.0, 1000.0)
 
 
 KINECT_V1 = SensorFamily("Kinect v1", 0.21, 0.6, 20, learnt=True, reach_mm=(550.0, 1000.0))
 """Dots lie 0.7 to 1 px off the middle of a window, less the part that is predicted; the sensor
 compares 9 x 9 pixels. Closer than its reach it measures little, farther away its depth steps exceed
 3 mm."""
-ACTIVE_STEREO = SensorFamily("active stereo", 0.4, 1.0, 20, reach_mm=(400.0, 700.0))
+ACTIVE_STEREO = SensorFamily(
+    "active stereo", 0.4, 1.0, 20, reach_mm=(400.0, 700.0), wall_mm=(400.0, 700.0)
+)
 """On a slanted surface the brighter half of a window, which faces the camera, outweighs the other
 one: by more than a pixel. Closer than its reach the search for matches ends, farther away a foot
 keeps errors of more than 0.3 mm."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import cast
 
 import numpy as np
 
@@ -171,6 +172,15 @@ def binned_camera(camera: PinholeCamera, size: int) -> PinholeCamera:
         cy=(camera.cy - middle) / size,
         skew=camera.skew / size,
     )
+
+
+def spread_map(
+    values: Float32Array | ByteArray, size: int, height: int, width: int
+) -> Float32Array | ByteArray:
+    """Give every pixel (height, width) the value of its square; inverse of `binned_map`."""
+    spread = values.repeat(size, axis=0).repeat(size, axis=1)
+    missing = [(0, height - spread.shape[0]), (0, width - spread.shape[1])]
+    return cast("Float32Array | ByteArray", np.pad(spread, missing, mode="edge"))
 
 
 def binned_map(values: Float32Array | ByteArray, size: int) -> Float32Array:

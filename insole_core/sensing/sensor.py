@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, transform
-from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.correction import OF_A_KINECT, CorrectedImage, DisparityCorrection
 from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
 from insole_core.sensing.family import ACTIVE_STEREO, DIRECT_DEPTH, KINECT_V1, SensorFamily
 from insole_core.sensing.pinhole_camera import PinholeCamera
@@ -86,6 +86,13 @@ class Sensor:
         if self.depth_unit_mm is None:
             return KINECT_V1
         return DIRECT_DEPTH if self.baseline_mm is None else ACTIVE_STEREO
+
+    @property
+    def corrected_image(self) -> CorrectedImage:
+        """The depth image that a correction of it is for."""
+        if self.depth_unit_mm is None:
+            return OF_A_KINECT
+        return CorrectedImage(self.depth_camera.width, self.depth_camera.height, "px")
 
     @property
     def calibrated_at(self) -> str:

@@ -313,7 +313,16 @@ class CaptureRunner:
             self._callbacks.show(serial, picture)
             series.light = judge_light(picture)
             self._draft.add_color(view, series.take_color(video.time_s), picture)
+        self._keep_pair(series)
         return depth is not None
+
+    def _keep_pair(self, series: Series) -> None:
+        if Capability.PAIR not in series.sensor.capabilities:
+            return
+        pair = series.sensor.poll_pair()
+        if pair is not None and series.wants_pair:
+            self._draft.add_pair(series.shot.view, series.pair_count, pair)
+            series.pair_count += 1
 
     def _finish(self, series: Series, infrared: InfraredSeries | None) -> None:
         view = series.shot.view

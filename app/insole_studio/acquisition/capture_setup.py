@@ -137,12 +137,8 @@ class CaptureSetup:
         if known is not None:
             return self._with_dots(known) if Capability.INFRARED in opened.capabilities else known
         faces = view_faces(view, self.system)
-        sentence = Message(
-            "Sensor {serial} is not calibrated; the numbers of its factory are used, which are "
-            "several millimetres less exact.",
-            serial=opened.serial,
-        )
-        return Calibrated(opened.factory_sensor(faces), "factory", (sentence,))
+        sensor = opened.factory_sensor(faces)
+        return Calibrated(sensor, "factory", (_uncalibrated(sensor),))
 
     def _with_dots(self, known: Calibrated) -> Calibrated:
         """Add the pattern of dots, or why it cannot be used."""
@@ -194,6 +190,20 @@ class CaptureSetup:
             return same
         other = next((s for s in self.recorded.values() if s.serial == serial), None)
         return other and replace(other, faces=view_faces(view, self.system))
+
+
+def _uncalibrated(sensor: Sensor) -> Message:
+    if sensor.depth_unit_mm is None:
+        return Message(
+            "Sensor {serial} is not calibrated; the numbers of its factory are used, which are "
+            "several millimetres less exact.",
+            serial=sensor.serial,
+        )
+    return Message(
+        "Sensor {serial} is used as its factory calibrated it, with waves of some tenths of a "
+        "millimetre on flat surfaces; calibrate the distortion of its depth with walls.",
+        serial=sensor.serial,
+    )
 
 
 def _checked(sensor: Sensor) -> Calibrated:

@@ -37,6 +37,7 @@ from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import kept_request
 from insole_studio.acquisition.capture_setup import Calibrated
+from insole_studio.acquisition.sensor_port import InfraredPair
 
 _TAKING = ".taking-"
 """Begins the name of the folder of a view that is not finished."""
@@ -226,6 +227,11 @@ class Draft:
         picture : (480, 640) uint16
         """
         self._store(view, f"infrared_{index:03d}.png", picture)
+
+    def add_pair(self, view: str, index: int, pair: InfraredPair) -> None:
+        """Store pair number `index`, from 0, of infrared pictures."""
+        for eye, picture in zip(("left", "right"), pair, strict=True):
+            self._store(view, f"infrared_{eye}_{index:03d}.png", picture)
 
     def finish_view(self, view: str, calibrated: Calibrated, facts: ViewFacts) -> None:
         """Wait until a view is on the disk, and make it part of the session.

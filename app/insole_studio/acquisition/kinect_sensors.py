@@ -225,6 +225,9 @@ class OpenKinect:
 
     temperature_c = None
 
+    def poll_pair(self) -> None:
+        """Return nothing: it has one infrared camera."""
+
     def hold_exposure(self) -> None:
         """Do nothing: its infrared camera has one exposure, and its colour is only looked at."""
 

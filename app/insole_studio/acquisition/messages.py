@@ -26,6 +26,8 @@ class Capability(Enum):
     """It has a light that can blink."""
     INFRARED = "infrared"
     """It sends infrared pictures in the place of colour."""
+    PAIR = "pair"
+    """It sends the pair of infrared pictures that its depth comes from, beside colour."""
     TIMED = "timed"
     """It tells when each picture was taken, rather than when it arrived."""
     TOGETHER = "together"

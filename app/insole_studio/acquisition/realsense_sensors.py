@@ -22,6 +22,7 @@ from insole_studio.acquisition.sensor_port import (
     BusFullError,
     ColorSize,
     DepthFrame,
+    InfraredPair,
     NoSensorFoundError,
     Place,
     SensorError,
@@ -29,13 +30,14 @@ from insole_studio.acquisition.sensor_port import (
 )
 from insole_studio.acquisition.warm_up import WarmUps
 from realsense_d400.bandwidth import check_controller
-from realsense_d400.camera import Calibration, Camera, Frame, Intrinsics
+from realsense_d400.camera import Calibration, Camera, Eye, Frame, Intrinsics
 from realsense_d400.cameras import UNKNOWN_CONTROLLER, CameraBus, CameraInfo, list_cameras
 from realsense_d400.errors import BandwidthError, NoCameraError, RealSenseError
 from realsense_d400.settings import CameraSettings
 
 FAMILY = "realsense"
 _CAN = frozenset({Capability.TOGETHER, Capability.TIMED})
+_EYES: tuple[Eye, Eye] = ("left", "right")
 _GRID_PX = 40
 """Pixels between the places at which a lens is compared."""
 log = logging.getLogger(__name__)
@@ -145,12 +147,12 @@ class RealSenseVideoFrame:
 class OpenRealSense:
     """An open RealSense (see `OpenSensor`)."""
 
-    capabilities = _CAN
-
     def __init__(self, camera: Camera, controllers: _Controllers, warm_ups: WarmUps) -> None:
         self.serial = camera.serial
         self.model = camera.info.model or FAMILY
         self.bus = camera.info.controller
+        self.capabilities = _CAN | {Capability.PAIR} if camera.sends_infrared else _CAN
+        self._eyes: dict[Eye, Frame] = {}
         self._camera = camera
         self._controllers = controllers
         self._warm_ups = warm_ups
@@ -255,6 +257,21 @@ class OpenRealSense:
         with translating():
             frame = self._camera.poll_color()
         return None if frame is None else RealSenseVideoFrame(frame)
+
+    def poll_pair(self) -> InfraredPair | None:
+        """Return the next left and right infrared picture if both are waiting."""
+        with translating():
+            for eye in _EYES:
+                frame = self._eyes.get(eye) or self._camera.poll_infrared(eye)
+                if frame is None:
+                    return None
+                self._eyes[eye] = frame
+        older, newer = sorted(_EYES, key=lambda eye: self._eyes[eye].number)
+        if self._eyes[older].number < self._eyes[newer].number:
+            del self._eyes[older]  # the other one was lost
+            return None
+        left, right = (np.array(self._eyes.pop(eye).image, np.uint8) for eye in _EYES)
+        return left, right
 
     def tilt_deg(self) -> float:
         """Fail: it has no motor."""

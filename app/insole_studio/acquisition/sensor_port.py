@@ -20,6 +20,8 @@ from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.messages import Capability, DetectedSensor, SensorState
 
 ColorSize = tuple[int, int]
+InfraredPair = tuple[ByteArray, ByteArray]
+"""Pictures (height, width) uint8 of one instant."""
 Place = tuple[str, int, int]
 """Family, bus and address."""
 
@@ -207,6 +209,10 @@ class OpenSensor(Protocol):
         """Return the next colour frame, or infrared after `start_infrared`, if one is waiting."""
         ...
 
+    def poll_pair(self) -> InfraredPair | None:
+        """Return the next left and right infrared picture if waiting; with `Capability.PAIR`."""
+        ...
+
     def tilt_deg(self) -> float:
         """Return the tilt relative to gravity; with `Capability.TILT`, as `tilt_to`, `roll_deg`."""
         ...
@@ -288,6 +294,7 @@ def small_color(picture: ImageArray) -> ImageArray:
 _LACKS = {
     Capability.TILT: Message("has no motor; turn it by hand"),
     Capability.BLINK: Message("has no light that blinks; cover it to see which one it is"),
+    Capability.PAIR: Message("sends no pair of infrared pictures; start it with them"),
     Capability.TIMED: Message("does not tell when its pictures were taken; use another one"),
     Capability.TOGETHER: Message("disturbs others with its light; take its view alone"),
     Capability.INFRARED: Message("sends no infrared pictures; choose one that does"),

@@ -56,6 +56,7 @@ class Series:
         self.depth: list[RawArray] = []
         self._depth_ms: list[float] = []
         self._color_ms: list[float] = []
+        self.pair_count = 0
         self.light = Light.GOOD
         """Of the last colour picture."""
         self.stabilisation = Stabilisation(plan.settle, beginning.switched_s)
@@ -71,7 +72,17 @@ class Series:
     def complete(self) -> bool:
         """Whether all frames have arrived."""
         plan = self._plan
-        return len(self.depth) >= plan.frames and self.color_count >= plan.color_frames
+        pairs = plan.color_frames if Capability.PAIR in self.sensor.capabilities else 0
+        return (
+            len(self.depth) >= plan.frames
+            and self.color_count >= plan.color_frames
+            and self.pair_count >= pairs
+        )
+
+    @property
+    def wants_pair(self) -> bool:
+        """Return whether a pair of infrared pictures is used: as many as of colour."""
+        return bool(self.depth) and self.pair_count < self._plan.color_frames
 
     @property
     def discarded(self) -> int:

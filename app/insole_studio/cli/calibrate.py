@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -19,6 +19,7 @@ from insole_studio.cli.sensor_arguments import add_store_argument, store_of
 
 if TYPE_CHECKING:
     from insole_core.calibration.boards.intrinsics import IntrinsicsOptions
+    from insole_core.calibration.walls.captures import WallCapture
     from insole_core.sensing.sensor import Sensor
     from insole_core.workflows.calibration.steps import StepResult
 
@@ -48,6 +49,7 @@ def _run_step(
     arguments: argparse.Namespace,
     progress: Progress,
     work: Callable[[Sensor, Progress], StepResult],
+    captures: Sequence[WallCapture] = (),
 ) -> None:
     """Load the sensor, improve its calibration, and save it with its reports.
 
@@ -55,20 +57,25 @@ def _run_step(
     ----------
     work
         Fits the step's part of the calibration of the sensor as known so far.
+    captures
+        Walls, where these suffice to calibrate the sensor that took them.
 
     Raises
     ------
     InsoleError
     """
     from insole_core.errors import CalibrationError
-    from insole_core.sensing.sensor import nominal_kinect
     from insole_core.workflows.calibration.report_files import keep_step
-    from insole_core.workflows.calibration.sensor_store import delivering_raw_numbers
+    from insole_core.workflows.calibration.sensor_store import (
+        delivering_raw_numbers,
+        measuring_disparity,
+    )
+    from insole_core.workflows.calibration.wall_steps import starting_sensor
 
     check_reports(arguments)
     store = store_of(arguments)
-    known = store.load(arguments.serial) or nominal_kinect(arguments.serial)
-    delivering_raw_numbers(known)
+    known = starting_sensor(store, arguments.serial, captures)
+    (measuring_disparity if captures else delivering_raw_numbers)(known)
     result = work(known, progress.part(0, 0.9))
     if result.doubt and not arguments.insist:
         raise CalibrationError(
@@ -147,7 +154,7 @@ DEPTH = _CameraStep(
 
 def _add_distortion_arguments(parser: argparse.ArgumentParser) -> None:
     _add_step_arguments(
-        parser, "a sub-folder of raw depth images for each wall, or one image each; with --board, "
+        parser, "a sub-folder of depth images for each wall, or one image each; with --board, "
         "a colour picture color_000 of the board on the wall in each sub-folder",
     )  # fmt: skip
     add_board_arguments(parser, required=False)
@@ -170,7 +177,7 @@ def _run_distortion(arguments: argparse.Namespace, progress: Progress) -> None:
             known = place_walls(captures, arguments.folder, board, sensor, part.part(0, 0.3))
         return calibrate_distortion_step(known, sensor, part.part(0.3, 1))
 
-    _run_step(arguments, progress.part(0.5, 1), work)
+    _run_step(arguments, progress.part(0.5, 1), work, captures)
 
 
 DISTORTION = Step(

@@ -17,7 +17,12 @@ from insole_core.geometry.side import sides_from
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import whole
 from insole_studio.cli.path_arguments import OutputPath
-from insole_studio.cli.sensor_arguments import add_rig_arguments, sensor_source_of
+from insole_studio.cli.sensor_arguments import (
+    add_camera_arguments,
+    add_rig_arguments,
+    camera_settings,
+    sensor_source_of,
+)
 from insole_studio.cli.stopping import Stopped
 
 if TYPE_CHECKING:
@@ -63,6 +68,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--resume", type=Path, metavar="FOLDER",
         help="go on with what a capture that failed has kept; its views are not taken again",
     )  # fmt: skip
+    add_camera_arguments(parser)
     add_rig_arguments(parser)
 
 
@@ -89,7 +95,8 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
         open_sensors,
     )
 
-    source = sensor_source_of(arguments, arguments.reference)
+    settings = camera_settings(arguments)
+    source = replace(sensor_source_of(arguments, arguments.reference), camera=settings)
     rig, setup = source.rig(), source.setup()
     looked = rig.require()
     for problem in looked.problems:

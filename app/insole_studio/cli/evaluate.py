@@ -13,7 +13,7 @@ from insole_studio.cli import evaluate_chain, evaluate_object, evaluate_repeat
 from insole_studio.cli.argument_parser import Command, Step, add_steps, number
 from insole_studio.cli.board_arguments import add_board_arguments, read_correspondences
 from insole_studio.cli.report_arguments import add_evaluation_arguments, check_reports, conclude
-from insole_studio.cli.sensor_arguments import evaluated_sensor
+from insole_studio.cli.sensor_arguments import evaluated_lattice, evaluated_sensor
 
 if TYPE_CHECKING:
     from insole_core.calibration.walls.captures import WallCapture
@@ -39,11 +39,16 @@ def _add_wall_arguments(parser: argparse.ArgumentParser) -> None:
 def _run_wall(arguments: argparse.Namespace, progress: Progress) -> None:
     """Read the walls, measure them, and check the limits."""
     check_reports(arguments)
-    from insole_core.workflows.calibration.wall_steps import check_recorded_with, read_walls
+    from insole_core.workflows.calibration.wall_steps import (
+        check_lattice,
+        check_recorded_with,
+        read_walls,
+    )
 
-    sensor = evaluated_sensor(arguments)
+    sensor = evaluated_lattice(arguments)
     captures = read_walls(arguments.folder, progress=progress.part(0, 0.4))
     check_recorded_with(sensor.serial, captures)
+    check_lattice(captures, sensor)
     measure = _leave_one_out if arguments.leave_one_out else _before_and_after
     section = measure(captures, sensor, progress.part(0.4, 0.9))
     progress.step(0.9, "Writing the report")
@@ -100,11 +105,16 @@ def _run_resolution(arguments: argparse.Namespace, progress: Progress) -> None:
     check_reports(arguments)
     from insole_core.evaluation.evaluation_sections import resolution_section
     from insole_core.evaluation.resolution import evaluate_resolution
-    from insole_core.workflows.calibration.wall_steps import check_recorded_with, read_walls
+    from insole_core.workflows.calibration.wall_steps import (
+        check_lattice,
+        check_recorded_with,
+        read_walls,
+    )
 
-    sensor = evaluated_sensor(arguments)
+    sensor = evaluated_lattice(arguments)
     captures = read_walls(arguments.folder, progress=progress.part(0, 0.8))
     check_recorded_with(sensor.serial, captures)
+    check_lattice(captures, sensor)
     progress.step(0.8, "Measuring the resolution")
     section = resolution_section(
         [evaluate_resolution(one, sensor.depth_camera, sensor.disparity) for one in captures]
@@ -169,9 +179,9 @@ def _run_artefact(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.calibration.walls.captures import read_captures
     from insole_core.evaluation.artefact import evaluate_artefact, plate_points, sphere_points
     from insole_core.evaluation.evaluation_sections import artefact_section
-    from insole_core.workflows.calibration.wall_steps import check_recorded_with
+    from insole_core.workflows.calibration.wall_steps import check_lattice, check_recorded_with
 
-    sensor = evaluated_sensor(arguments)
+    sensor = evaluated_lattice(arguments)
     captures = read_captures(arguments.folder, progress.part(0, 0.6))
     unknown = [c.name for c in captures if not c.name.startswith(("bar", "plate"))]
     if unknown:
@@ -180,6 +190,7 @@ def _run_artefact(arguments: argparse.Namespace, progress: Progress) -> None:
             "bar_000 … and plate_000 …."
         )
     check_recorded_with(sensor.serial, captures)
+    check_lattice(captures, sensor)
     progress.step(0.6, "Measuring spheres and plates")
     pairs = [
         sphere_points(one, sensor, arguments.diameter)

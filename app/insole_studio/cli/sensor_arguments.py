@@ -9,11 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
+from insole_studio.cli.argument_parser import number
 
 if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor
     from insole_core.workflows.calibration.sensor_store import SensorStore
     from insole_studio.acquisition.sensor_source import SensorSource
+    from realsense_d400.settings import CameraSettings
 
 
 def add_store_argument(parser: argparse.ArgumentParser) -> None:
@@ -56,8 +58,22 @@ def store_folder(arguments: argparse.Namespace) -> Path:
     return folder or sensors_folder_of_user()
 
 
+def evaluated_lattice(arguments: argparse.Namespace) -> Sensor:
+    """Return the sensor to be evaluated by captures, with the lattice of its readings.
+
+    Raises
+    ------
+    InsoleError
+    """
+    from insole_core.sensing.readings import Readings
+    from insole_core.workflows.calibration.sensor_store import measuring_disparity
+
+    sensor = measuring_disparity(_named_sensor(arguments))
+    return Readings.of(_with_correction(sensor, arguments)).sensor
+
+
 def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
-    """Return the sensor to be evaluated, with the selected correction.
+    """Return the Kinect to be evaluated, with the selected correction.
 
     Raises
     ------
@@ -65,7 +81,10 @@ def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
     """
     from insole_core.workflows.calibration.sensor_store import delivering_raw_numbers
 
-    sensor = delivering_raw_numbers(_named_sensor(arguments))
+    return _with_correction(delivering_raw_numbers(_named_sensor(arguments)), arguments)
+
+
+def _with_correction(sensor: Sensor, arguments: argparse.Namespace) -> Sensor:
     if arguments.correction is None and sensor.correction is None:
         return sensor
     from datetime import UTC, datetime
@@ -75,7 +94,7 @@ def evaluated_sensor(arguments: argparse.Namespace) -> Sensor:
 
     correction = sensor.correction
     if arguments.correction is not None:
-        correction = load_correction(arguments.correction)
+        correction = load_correction(arguments.correction, sensor.corrected_image)
     assert correction is not None
     if not sensor.serial:
         sensor = replace(sensor, serial=correction.record.serial)
@@ -121,6 +140,32 @@ def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
         "--emulate", type=Path, metavar="SESSION", default=argparse.SUPPRESS,
         help="play a recorded session as live sensors; no device is needed",
     )  # fmt: skip
+
+
+def add_camera_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what can be set of RealSense cameras."""
+    parser.add_argument(
+        "--preset", choices=["high-accuracy", "high-density", "as-it-is"], default="high-accuracy",
+        help="how strictly RealSense cameras judge their own depth (high-accuracy)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--laser-power", type=number, metavar="MW",
+        help="of the projectors of RealSense cameras (as it is)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--infrared-pair", action="store_true",
+        help="also record the infrared pictures, left and right, of RealSense cameras",
+    )  # fmt: skip
+
+
+def camera_settings(arguments: argparse.Namespace) -> CameraSettings:
+    """Return the settings of RealSense cameras that the arguments select."""
+    from realsense_d400.settings import CameraSettings, Preset
+
+    presets = {preset.name.lower().replace("_", "-"): preset for preset in Preset}
+    return CameraSettings(
+        presets.get(arguments.preset), arguments.laser_power, arguments.infrared_pair
+    )
 
 
 def sensor_source_of(

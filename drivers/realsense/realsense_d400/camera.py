@@ -214,6 +214,11 @@ class Camera:
         return None
 
     @property
+    def sends_infrared(self) -> bool:
+        """Whether it streams the pair of infrared pictures beside depth."""
+        return self._settings.infrared
+
+    @property
     def streams_depth(self) -> bool:
         """Whether depth is streaming."""
         return "depth" in self._running

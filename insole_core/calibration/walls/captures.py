@@ -16,11 +16,15 @@ from insole_core.geometry.arrays import FloatArray, RawArray
 from insole_core.json_object import JsonObject
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import read_picture
+from insole_core.recording.sensor_folder import SENSOR_FILE, parse_sensor
 from insole_core.regular_file import is_folder
 from insole_core.sensing.disparity import NO_READING
 from insole_core.sensing.frames import mean_raw
+from insole_core.sensing.readings import Readings
+from insole_core.sensing.sensor import Sensor
 
 _SHAPE = (480, 640)
+_MOST_STORED = 65535
 _AT_ONCE = 2
 """Captures read in parallel: decoding and averaging mostly release the interpreter lock."""
 
@@ -33,8 +37,8 @@ class WallCapture:
     ----------
     name
         For messages: the file or folder it was read from.
-    raw : (480, 640) float64, raw units, NaN = no reading
-        Mean over the frames.
+    raw : (height, width) float64, raw units, NaN = no reading
+        Mean over the frames; of a sensor that delivers millimetres, on the lattice of its readings.
     distance_mm
         Measured at the image centre along the optical axis, where it is known.
     plane : (3,) float64, 1/mm, optional
@@ -42,6 +46,8 @@ class WallCapture:
         normalised image coordinates.
     serial
         Of the device, where it is known.
+    sensor
+        That recorded it, where it delivers millimetres.
     """
 
     name: str
@@ -49,6 +55,7 @@ class WallCapture:
     distance_mm: float | None = None
     plane: FloatArray | None = None
     serial: str = ""
+    sensor: Sensor | None = None
 
 
 def capture_from_frames(
@@ -57,13 +64,16 @@ def capture_from_frames(
     distance_mm: float | None = None,
     plane: FloatArray | None = None,
     serial: str = "",
+    *,
+    sensor: Sensor | None = None,
 ) -> WallCapture:
     """Average frames one by one; only a few are in memory at a time (thesis 5.2, k frames).
 
     Parameters
     ----------
-    frames : each (480, 640) uint16, raw units
-    distance_mm, plane, serial
+    frames : each (height, width) uint16, as the sensor stores them
+        Of a Kinect (480, 640), raw units; a Kinect's, if no sensor is given.
+    distance_mm, plane, serial, sensor
         As in `WallCapture`.
 
     Raises
@@ -79,30 +89,63 @@ def capture_from_frames(
         raise CalibrationError(
             "{name} holds no depth frames; capture it again.", name=name
         ) from None
-    if first.shape != _SHAPE:
+    shape = _SHAPE if sensor is None else _shape(sensor)
+    if first.shape != shape:
         height, width = first.shape[:2]
         raise InputError(
-            "{capture} is {width}×{height}, but a depth frame must be 640×480.",
+            "{capture} is {width}×{height}, but a depth frame of this sensor must be "
+            "{wanted_width}×{wanted_height}.",
             capture=name,
             width=width,
             height=height,
+            wanted_width=shape[1],
+            wanted_height=shape[0],
         )
-    raw = mean_raw(frames)
-    if not np.isfinite(raw).any():
+    if sensor is None:
+        raw = mean_raw(frames)
+    else:
+        readings = Readings.of(sensor)
+        raw = mean_raw(map(readings.numbers, frames), readings.per_raw)
+    return _with_readings(WallCapture(name, raw, distance_mm, plane, serial, sensor))
+
+
+def capture_from_glance(name: str, raw: RawArray) -> WallCapture:
+    """Take one live picture, in raw units on the lattice of any sensor (see `Readings.glance`).
+
+    Parameters
+    ----------
+    name
+    raw : (rows, columns) uint16, raw units, 2047 = no reading
+
+    Raises
+    ------
+    CalibrationError
+        If it holds no readings.
+    """
+    return _with_readings(WallCapture(name, np.where(raw < NO_READING, raw, np.nan)))
+
+
+def _with_readings(capture: WallCapture) -> WallCapture:
+    if not np.isfinite(capture.raw).any():
         raise CalibrationError(
             "{name} holds no reading at all; move the sensor 500 to 3000 mm from the wall and "
             "capture it again.",
-            name=name,
+            name=capture.name,
         )
-    return WallCapture(name, raw, distance_mm, plane, serial)
+    return capture
+
+
+def _shape(sensor: Sensor) -> tuple[int, int]:
+    return sensor.depth_camera.height, sensor.depth_camera.width
 
 
 def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture]:
-    """Read the wall captures of a folder of raw 16-bit PNG images.
+    """Read the wall captures of a folder of 16-bit PNG images, as the sensor delivers them.
 
     Every sub-folder is one capture and its images are the frames; in a folder without sub-folders
     every image is a capture of one frame. Colour pictures ``color…`` in a sub-folder are skipped. A
-    ``sensor.json`` beside the images names the device.
+    ``sensor.json`` beside the images names the device, and says what one that delivers millimetres
+    is like.
 
     Returns
     -------
@@ -128,7 +171,14 @@ def read_captures(folder: Path, progress: Progress = SILENT) -> list[WallCapture
 
 
 def _read_capture(name: str, paths: Sequence[Path]) -> WallCapture:
-    return capture_from_frames(name, read_frames(paths), serial=_serial_beside(paths[0]))
+    path = paths[0].with_name(SENSOR_FILE)
+    root = JsonObject.read(path) if path.exists() else None
+    if root is not None and root.has("depth_unit_mm"):
+        sensor = parse_sensor(root, None)
+        frames = (read_depth(path, most=_MOST_STORED) for path in paths)
+        return capture_from_frames(name, frames, serial=sensor.serial, sensor=sensor)
+    serial = "" if root is None else root.text("serial")
+    return capture_from_frames(name, read_frames(paths), serial=serial)
 
 
 def read_frames(paths: Iterable[Path]) -> Iterator[RawArray]:
@@ -136,8 +186,14 @@ def read_frames(paths: Iterable[Path]) -> Iterator[RawArray]:
     return map(read_depth, paths)
 
 
-def read_depth(path: Path) -> RawArray:
-    """Read one raw depth image, (height, width) uint16.
+def read_depth(path: Path, most: int = NO_READING) -> RawArray:
+    """Read one depth image, (height, width) uint16.
+
+    Parameters
+    ----------
+    path
+    most
+        The largest number that it can hold; of a Kinect 2047.
 
     Raises
     ------
@@ -149,7 +205,7 @@ def read_depth(path: Path) -> RawArray:
         raise InputError(
             "{path} is no readable image; restore it or take it out of the folder.", path=path
         )
-    if image.dtype != np.uint16 or image.ndim != 2 or image.max() > NO_READING:
+    if image.dtype != np.uint16 or image.ndim != 2 or image.max() > most:
         raise InputError(
             "{path} is no raw depth image (16-bit grey, numbers up to 2047); record the raw "
             "numbers of the sensor.",
@@ -210,11 +266,6 @@ def _check_no_boards(folder: Path) -> None:
 
 def _is_color(path: Path) -> bool:
     return path.name.startswith("color")
-
-
-def _serial_beside(image: Path) -> str:
-    path = image.with_name("sensor.json")
-    return JsonObject.read(path).text("serial") if path.exists() else ""
 
 
 def _peek(frames: Iterable[RawArray]) -> tuple[RawArray, Iterator[RawArray]]:

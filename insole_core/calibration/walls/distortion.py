@@ -39,12 +39,15 @@ class DistortionOptions:
     uneven_raw, uneven_share
         A wall counts as not flat if more than this share of it differs by more than this many
         raw units from the map of all walls.
+    reach_mm
+        Distances that walls are best captured at.
     """
 
     smoothing: Smoothing = field(default_factory=Smoothing)
     extrapolate_raw: float = 100.0
     uneven_raw: float = 1.5
     uneven_share: float = 0.1
+    reach_mm: tuple[float, float] = (500.0, 1000.0)
 
 
 _DEFAULTS = DistortionOptions()
@@ -143,7 +146,7 @@ def calibrate_distortion(
         blocks, solved = _solve(walls, rows, options)
     progress.step(0.9, "Judging the map")
     correction = _correction(blocks, solved, options, serial or walls[0].capture.serial)
-    return _judged(correction, walls, left_out, disparity)
+    return _judged(correction, walls, left_out, disparity, options)
 
 
 def _find_walls(
@@ -211,6 +214,7 @@ def _judged(
     walls: Sequence[WallFit],
     left_out: dict[str, str],
     disparity: DisparityModel,
+    options: DistortionOptions,
 ) -> DistortionCalibration:
     figures = tuple(_figures(wall, correction, disparity) for wall in walls)
     covered = float(correction.covered.mean())
@@ -234,7 +238,7 @@ def _judged(
         left_out=left_out,
         covered_share=covered,
         deviation_raw=std,
-        advice=_advice(figures, covered),
+        advice=_advice(figures, covered, options.reach_mm),
         doubt=_doubt(numbers["rms_after_raw"]),
     )
 
@@ -264,7 +268,9 @@ def _doubt(left_raw: float) -> str:
     )
 
 
-def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
+def _advice(
+    figures: Sequence[WallFigures], covered: float, reach_mm: tuple[float, float]
+) -> tuple[str, ...]:
     distances = [figure.distance_mm for figure in figures]
     advice: list[str] = []
     if len(figures) < 4:
@@ -276,8 +282,12 @@ def _advice(figures: Sequence[WallFigures], covered: float) -> tuple[str, ...]:
         )
     if max(distances) < 1.2 * min(distances):
         advice.append(
-            "All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the "
-            "distortion changes."
+            Message(
+                "All walls lie at almost the same distance; capture {near:.0f} to {far:.0f} mm to "
+                "learn how the distortion changes.",
+                near=reach_mm[0],
+                far=reach_mm[1],
+            )
         )
     if covered < 0.95:
         advice.append(

@@ -22,7 +22,8 @@ def calibrated_session(
 ) -> tuple[Session, tuple[str, ...]]:
     """Replace the sensor of every view by its stored calibration, or apply a given correction.
 
-    Sensors that deliver millimetres are not calibrated here; their views stay as recorded.
+    Views of sensors that deliver millimetres stay as recorded unless a calibration of theirs is
+    stored.
     With the stored calibration, infrared pictures get the pattern of dots that is kept with it.
 
     Parameters
@@ -49,7 +50,9 @@ def calibrated_session(
     views: list[View] = []
     warnings: list[str] = []
     for view in session.views:
-        if view.sensor.depth_unit_mm is not None:
+        if view.sensor.depth_unit_mm is not None and (
+            correction is not None or store.load(view.sensor.serial) is None
+        ):
             views.append(view)
             warnings.append(_as_recorded(view))
             continue
@@ -72,7 +75,7 @@ def calibrated_session(
 def _as_recorded(view: View) -> Message:
     return Message(
         "View {view} stays as it was recorded, because its sensor {serial}, a {model}, delivers "
-        "millimetres; only Kinects, which deliver raw numbers, are calibrated here.",
+        "millimetres and was not calibrated here; calibrate it with walls.",
         view=view.name,
         serial=view.sensor.serial,
         model=view.sensor.model,

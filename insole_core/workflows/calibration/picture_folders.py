@@ -12,6 +12,7 @@ from insole_core.files.atomic import make_output_folder, replacing_file
 from insole_core.files.transaction import Transaction
 from insole_core.geometry.arrays import ByteArray
 from insole_core.recording.images import encode_png
+from insole_core.recording.sensor_folder import sensor_json
 from insole_core.recording.session import View
 
 LiveKind = Literal["boards", "walls", "infrared"]
@@ -79,7 +80,9 @@ def keep_infrared(picture: ByteArray, folder: Path) -> None:
 def _write_depth(view: View, folder: Path, outputs: Transaction) -> None:
     for index in range(view.depth_count):
         _write(folder / f"depth_{index:03d}.png", encode_png(view.read_depth(index)), outputs)
-    _write(folder / "sensor.json", json.dumps({"serial": view.sensor.serial}).encode(), outputs)
+    sensor = view.sensor
+    told = {"serial": sensor.serial} if sensor.depth_unit_mm is None else sensor_json(sensor, None)
+    _write(folder / "sensor.json", json.dumps(told).encode(), outputs)
 
 
 def _write(path: Path, content: bytes, outputs: Transaction) -> None:

@@ -8,13 +8,13 @@ import cv2
 import numpy as np
 
 from insole_core.geometry.arrays import ByteArray, IntArray
-from insole_core.workflows.calibration.picture_readiness import CELLS, WALL_DISTANCES_MM, is_near
+from insole_core.workflows.calibration.picture_readiness import CELLS, is_near
 
 _AMBER = np.array([255, 176, 32])
 _GREEN, _WHITE, _DARK = (90, 220, 90), (255, 255, 255), (24, 24, 24)
 _TINT = 0.28
 _BAR_PX = 34
-_RANGE_MM = (450.0, 1050.0)
+_RANGE_MM = (350.0, 1050.0)
 
 
 def draw_missing_cells(picture: ByteArray, cells: IntArray) -> ByteArray:
@@ -42,13 +42,18 @@ def draw_missing_cells(picture: ByteArray, cells: IntArray) -> ByteArray:
 
 
 def draw_distances(
-    picture: ByteArray, distances_mm: Sequence[float], now_mm: float | None
+    picture: ByteArray,
+    wanted_mm: Sequence[int],
+    distances_mm: Sequence[float],
+    now_mm: float | None,
 ) -> ByteArray:
     """Add a scale below a picture, with the distances that are captured and missing.
 
     Parameters
     ----------
     picture : (height, width, 3) uint8, RGB
+    wanted_mm
+        Distances to capture walls at.
     distances_mm
         Of the walls captured so far.
     now_mm
@@ -59,7 +64,7 @@ def draw_distances(
     (height + 34, width, 3) uint8, RGB
     """
     bar = np.full((_BAR_PX, picture.shape[1], 3), _DARK, np.uint8)
-    for mm in WALL_DISTANCES_MM:
+    for mm in wanted_mm:
         there = is_near(mm, distances_mm)
         color, x = (_GREEN if there else _AMBER.tolist()), _place(mm, bar.shape[1])
         cv2.circle(bar, (x, 10), 5, color, -1 if there else 2, cv2.LINE_AA)

@@ -32,11 +32,14 @@ from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArr
 from insole_core.memo import Memo
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
+from insole_core.sensing.family import SensorFamily
+from insole_core.sensing.readings import Readings
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.steps import COLOR, board_pictures, has_infrared
+from insole_core.workflows.calibration.wall_steps import check_lattice
 
 GOOD_PICTURES = 10
-WALL_DISTANCES_MM = (500, 600, 700, 800, 900, 1000)
+_WALL_DISTANCES = 6
 _NEAR_MM = 60.0
 _FRONT_DEG = 8.0
 CELLS = (6, 8)
@@ -213,7 +216,7 @@ def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> 
     walls = [wall for _, wall in inspections if wall is not None]
     distances = tuple(wall_distance_mm(wall) for wall in walls)
     looks = tuple(look for look, _ in inspections)
-    return Readiness(looks, _missing_walls(walls), wall_cells(walls), distances)
+    return Readiness(looks, _missing_walls(walls, sensor.family), wall_cells(walls), distances)
 
 
 def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspection, WallFit | None]:
@@ -231,7 +234,9 @@ def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspectio
         None when the capture cannot be used.
     """
     try:
-        wall = fit_wall(capture, plane_rows(sensor.depth_camera), sensor.disparity)
+        lattice = Readings.of(sensor).sensor
+        check_lattice([capture], lattice)
+        wall = fit_wall(capture, plane_rows(lattice.depth_camera), sensor.disparity)
     except CalibrationError as error:
         return PictureInspection(capture.name, False, str(error), _depth_picture(capture)), None
     sentence = Message(
@@ -285,9 +290,14 @@ def _missing_parts(detections: Sequence[BoardDetection]) -> tuple[str, ...]:
     )
 
 
-def _missing_walls(walls: Sequence[WallFit]) -> tuple[str, ...]:
+def wall_distances_mm(family: SensorFamily) -> tuple[int, ...]:
+    """Return the distances of the walls that the distortion of a family is calibrated with."""
+    return tuple(np.linspace(*family.wall_mm, _WALL_DISTANCES).astype(int).tolist())
+
+
+def _missing_walls(walls: Sequence[WallFit], family: SensorFamily) -> tuple[str, ...]:
     distances = [wall_distance_mm(wall) for wall in walls]
-    far = [str(mm) for mm in WALL_DISTANCES_MM if not is_near(mm, distances)]
+    far = [str(mm) for mm in wall_distances_mm(family) if not is_near(mm, distances)]
     missing = []
     if far:
         missing.append(

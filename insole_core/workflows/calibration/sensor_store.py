@@ -21,6 +21,7 @@ from insole_core.recording.sensor_folder import (
     read_sensor,
     write_sensor,
 )
+from insole_core.sensing.family import DIRECT_DEPTH
 from insole_core.sensing.infrared_reference import InfraredReference, load_reference
 from insole_core.sensing.sensor import Sensor
 
@@ -35,7 +36,7 @@ def sensors_folder_of_user() -> Path:
 
 
 def delivering_raw_numbers(sensor: Sensor) -> Sensor:
-    """Return a sensor, if walls and boards in its raw numbers can calibrate or evaluate it.
+    """Return a sensor, if boards and its raw numbers can calibrate it.
 
     Raises
     ------
@@ -44,8 +45,26 @@ def delivering_raw_numbers(sensor: Sensor) -> Sensor:
     """
     if sensor.depth_unit_mm is not None:
         raise InputError(
-            "Sensor {serial} is a {model}, which delivers millimetres; only Kinects, which deliver "
-            "raw numbers, are calibrated and evaluated with walls and boards.",
+            "Sensor {serial} is a {model}, whose cameras and scale its factory has calibrated; "
+            "calibrate only the distortion of its depth, with walls.",
+            serial=sensor.serial,
+            model=sensor.model,
+        )
+    return sensor
+
+
+def measuring_disparity(sensor: Sensor) -> Sensor:
+    """Return a sensor, if walls can calibrate the distortion of its depth.
+
+    Raises
+    ------
+    InputError
+        When it delivers millimetres and is no stereo camera.
+    """
+    if sensor.family is DIRECT_DEPTH:
+        raise InputError(
+            "Sensor {serial} is a {model}, which measures no disparity that walls could correct; "
+            "use it as its factory calibrated it.",
             serial=sensor.serial,
             model=sensor.model,
         )

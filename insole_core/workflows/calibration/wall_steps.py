@@ -18,14 +18,17 @@ from insole_core.calibration.walls.disparity_fit import (
     fit_linear_inverse,
     fit_tangent,
 )
-from insole_core.calibration.walls.distortion import calibrate_distortion
+from insole_core.calibration.walls.distortion import DistortionOptions, calibrate_distortion
 from insole_core.calibration.walls.wall_plane import with_board_planes
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.calibration_sections import disparity_section, distortion_section
 from insole_core.evaluation.wall import Correction, NoCorrection, wall_pictures
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.sensing.sensor import COLOR_CAMERA, Sensor
+from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.readings import Readings
+from insole_core.sensing.sensor import COLOR_CAMERA, Sensor, nominal_kinect
+from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
 
 
@@ -48,10 +51,14 @@ def calibrate_distortion_step(
     Cancelled
     """
     check_recorded_with(sensor.serial, captures)
+    readings = Readings.of(sensor)
+    check_lattice(captures, readings.sensor)
+    camera, disparity = readings.sensor.depth_camera, sensor.disparity
     calibration = calibrate_distortion(
         captures,
-        sensor.depth_camera,
-        sensor.disparity,
+        camera,
+        disparity,
+        DistortionOptions(reach_mm=sensor.family.wall_mm),
         serial=sensor.serial,
         progress=progress.part(0, 0.9),
     )
@@ -59,11 +66,11 @@ def calibrate_distortion_step(
     names = {wall.name for wall in calibration.walls}
     used = [capture for capture in captures if capture.name in names]
     corrections: dict[str, Correction] = {"before": NoCorrection(), "after": calibration.correction}
-    pictures = wall_pictures(used, corrections, sensor.depth_camera, sensor.disparity)
+    pictures = wall_pictures(used, corrections, camera, disparity)
     section = distortion_section(calibration)
     figures = calibration.correction.record.figures
     return StepResult(
-        sensor=replace(sensor, correction=calibration.correction),
+        sensor=replace(sensor, correction=_stored(calibration.correction, readings)),
         section=replace(section, plots=section.plots + pictures),
         sentences=(
             Message(
@@ -85,6 +92,47 @@ def calibrate_distortion_step(
         advice=calibration.advice,
         doubt=calibration.doubt,
     )
+
+
+def _stored(correction: DisparityCorrection, readings: Readings) -> DisparityCorrection:
+    """Return a correction of readings as that of the frames that are stored."""
+    if readings.stored.depth_unit_mm is None:
+        return correction
+    camera = readings.stored.depth_camera
+    spread = correction.spread(readings.bin_px, camera.height, camera.width)
+    return replace(spread, record=replace(spread.record, unit="px"))
+
+
+def check_lattice(captures: Sequence[WallCapture], sensor: Sensor) -> None:
+    """Check that captures have the readings of a sensor.
+
+    Raises
+    ------
+    CalibrationError
+        When they come from a sensor of another kind.
+    """
+    camera = sensor.depth_camera
+    other = next((c for c in captures if c.raw.shape != (camera.height, camera.width)), None)
+    if other is not None:
+        raise CalibrationError(
+            "{capture} was recorded by another kind of sensor than {serial}, a {model}; use "
+            "captures of this sensor, each in a folder with its sensor.json.",
+            capture=other.name,
+            serial=sensor.serial,
+            model=sensor.model,
+        )
+
+
+def starting_sensor(store: SensorStore, serial: str, captures: Sequence[WallCapture]) -> Sensor:
+    """Return a sensor as calibrated so far: as stored, as its captures say, or a nominal Kinect.
+
+    Raises
+    ------
+    InputError
+        When the stored sensor cannot be read.
+    """
+    told = (c.sensor for c in captures if c.sensor is not None and c.sensor.serial == serial)
+    return store.load(serial) or next(told, None) or nominal_kinect(serial)
 
 
 def calibrate_disparity_step(

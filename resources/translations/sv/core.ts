@@ -384,8 +384,8 @@
             <translation>Alla lägen är millimeter längs maskinens axlar, från den nollpunkt som programmet är gjort för. Programmen ovan, med dessa SHA-256, hör till detta blad.</translation>
         </message>
         <message>
-            <source>All walls lie at almost the same distance; capture 500 to 1000 mm to learn how the distortion changes.</source>
-            <translation>Alla väggar ligger på nästan samma avstånd; ta dem på 500 till 1000 mm för att lära hur förvrängningen ändras.</translation>
+            <source>All walls lie at almost the same distance; capture {near:.0f} to {far:.0f} mm to learn how the distortion changes.</source>
+            <translation>Alla väggar ligger på nästan samma avstånd; avbilda {near:.0f} till {far:.0f} mm för att lära hur distorsionen ändras.</translation>
         </message>
         <message>
             <source>All walls lie between {nearest_mm:.0f} and {farthest_mm:.0f} mm; capture walls from 600 to 900 mm, which show every dot at different pixels.</source>
@@ -2664,8 +2664,12 @@
             <translation>Sett bakifrån, vinklar dubbelt så stora. Blått: akillessena; brunt: hälben; grått: fotsulans normal (streckad), skanningens lodlinje (prickad). En vinkel är 0 där dess två linjer är en. Valgus: hälen lutar utåt under benet; medial: benet lutar mot den andra foten. I filer är valgus och medial över 0; för framfoten är varus det.</translation>
         </message>
         <message>
-            <source>Sensor {serial} is a {model}, which delivers millimetres; only Kinects, which deliver raw numbers, are calibrated and evaluated with walls and boards.</source>
-            <translation>Sensor {serial} är en {model}, som ger millimeter; bara Kinect, som ger råtal, kalibreras och utvärderas med väggar och tavlor.</translation>
+            <source>Sensor {serial} is a {model}, which measures no disparity that walls could correct; use it as its factory calibrated it.</source>
+            <translation>Sensorn {serial} är en {model}, som inte mäter någon disparitet som väggar kan korrigera; använd den som fabriken kalibrerade den.</translation>
+        </message>
+        <message>
+            <source>Sensor {serial} is a {model}, whose cameras and scale its factory has calibrated; calibrate only the distortion of its depth, with walls.</source>
+            <translation>Sensorn {serial} är en {model}, vars kameror och skala fabriken har kalibrerat; kalibrera bara djupets distorsion, med väggar.</translation>
         </message>
         <message>
             <source>Sensor {serial} is not calibrated; the numbers of its factory are used, which are several millimetres less exact.</source>
@@ -2678,6 +2682,10 @@
         <message>
             <source>Sensor {serial} is not in use; plug it in.</source>
             <translation>Sensor {serial} används inte; anslut den.</translation>
+        </message>
+        <message>
+            <source>Sensor {serial} is used as its factory calibrated it, with waves of some tenths of a millimetre on flat surfaces; calibrate the distortion of its depth with walls.</source>
+            <translation>Sensorn {serial} används som fabriken kalibrerade den, med vågor på några tiondels millimeter på plana ytor; kalibrera djupets distorsion med väggar.</translation>
         </message>
         <message>
             <source>Sensor {serial} leans to one side by {roll_deg:.0f}°, which its motor cannot mend; straighten it by hand and level it again.</source>
@@ -4752,8 +4760,8 @@
             <translation>Vyn {view} mätte djup i bara {share:.1%} av sin bild; kontrollera att sensorn är tillräckligt långt från foten och inte täckt, och ta vyn igen.</translation>
         </message>
         <message>
-            <source>View {view} stays as it was recorded, because its sensor {serial}, a {model}, delivers millimetres; only Kinects, which deliver raw numbers, are calibrated here.</source>
-            <translation>Vyn {view} förblir som den spelades in, eftersom dess sensor {serial}, en {model}, levererar millimeter; bara Kinect-sensorer, som levererar råtal, kalibreras här.</translation>
+            <source>View {view} stays as it was recorded, because its sensor {serial}, a {model}, delivers millimetres and was not calibrated here; calibrate it with walls.</source>
+            <translation>Vyn {view} förblir som den spelades in, eftersom dess sensor {serial}, en {model}, levererar millimeter och inte har kalibrerats här; kalibrera den med väggar.</translation>
         </message>
         <message>
             <source>View {view} was recorded with sensor {serial}, which was never calibrated here; calibrate it first.</source>
@@ -8492,8 +8500,8 @@
             <translation>{capture} är omkring {usual_mm:.0f} mm bort, men {given_mm:.0f} mm angavs, så mät igen från sensorns framsida till väggen, med väggar från 500 till 1000 mm</translation>
         </message>
         <message>
-            <source>{capture} is {width}×{height}, but a depth frame must be 640×480.</source>
-            <translation>{capture} är {width}×{height}, men en djupbild måste vara 640×480.</translation>
+            <source>{capture} is {width}×{height}, but a depth frame of this sensor must be {wanted_width}×{wanted_height}.</source>
+            <translation>{capture} är {width}×{height}, men en djupbild från denna sensor måste vara {wanted_width}×{wanted_height}.</translation>
         </message>
         <message>
             <source>{capture} needs a reading at the image centre and its measured distance; measure it, or take the capture out.</source>
@@ -8502,6 +8510,10 @@
         <message>
             <source>{capture} shows {count} spheres of about {diameter_mm:g} mm, but the bar has 2; keep the space around them free and check the diameter.</source>
             <translation>{capture} visar {count} kulor på ungefär {diameter_mm:g} mm, men staven har 2; håll utrymmet kring dem fritt och kontrollera diametern.</translation>
+        </message>
+        <message>
+            <source>{capture} was recorded by another kind of sensor than {serial}, a {model}; use captures of this sensor, each in a folder with its sensor.json.</source>
+            <translation>{capture} spelades in med en annan sorts sensor än {serial}, en {model}; använd avbildningar från denna sensor, var och en i en mapp med dess sensor.json.</translation>
         </message>
         <message>
             <source>{capture} was recorded with sensor {owner}, not with {serial}; use the captures of one sensor.</source>

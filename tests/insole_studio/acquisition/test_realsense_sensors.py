@@ -50,6 +50,7 @@ from kinect_v1.models import Model
 from kinect_v1.usb_bus import UsbBus
 from realsense_d400.camera import Calibration, Intrinsics
 from realsense_d400.emulation import EmulatedCamera, EmulatedCameras, Make, record
+from realsense_d400.settings import CameraSettings
 from tests.patience import wait_for
 
 SPEED = 4.0
@@ -277,6 +278,19 @@ def test_a_recorded_session_of_both_kinds_is_played_by_emulated_cameras(
     view = read_session(ours.draft.folder).views[1]
     assert any(np.array_equal(frame.image, view.read_depth(index)) for index in range(4))
     assert [one.serial for one in source.rig().find().sensors] == ["A1", "815", "816"]
+
+
+def test_the_pair_of_infrared_pictures_is_recorded_where_it_is_asked_for(
+    place: Callable[..., Place],
+) -> None:
+    pairs = [(np.full((96, 160), n, np.uint8), np.full((96, 160), 9 + n, np.uint8)) for n in (3, 5)]
+    ours = place(camera("815", infrared=pairs))
+    ours.rig = Rig(RealSensePort(ours.cameras, settings=CameraSettings(infrared=True)))
+    ours.capture("left")
+    (view,) = read_session(ours.draft.folder).views
+    left, right = (view.infrared[f"infrared_{eye}"].read(0) for eye in ("left", "right"))
+    assert left[0, 0] in (3, 5)
+    assert np.array_equal(right, left + 9)
 
 
 def test_recordings_of_the_library_are_cameras_of_a_rig(tmp_path: Path) -> None:

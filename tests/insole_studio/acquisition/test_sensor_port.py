@@ -93,6 +93,9 @@ class PlainCamera:
 
     temperature_c: float | None = None
 
+    def poll_pair(self) -> None:
+        raise AssertionError("nobody may ask for it")
+
     def hold_exposure(self) -> None:
         """It has one exposure."""
 

@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 
 from insole_core.calibration.boards.board import Board, count_corners
-from insole_core.calibration.walls.captures import capture_from_frames
+from insole_core.calibration.walls.captures import capture_from_glance
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.side import Side
@@ -30,6 +30,7 @@ from insole_core.workflows.calibration.picture_readiness import (
     look_at_wall,
     small,
     wall_distance_mm,
+    wall_distances_mm,
 )
 from insole_studio.acquisition.capture_plan import make_plan
 from insole_studio.acquisition.guidance import depth_colors
@@ -323,19 +324,20 @@ def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> Li
         What the images taken so far cover.
     """
     distances = known.distances_mm if known is not None else ()
+    wanted = wall_distances_mm(sensor.family)
     name = tr("The live picture")
     colored = small(depth_colors(sensor.disparity)[raw])
     try:
-        look, wall = look_at_wall(capture_from_frames(name, [raw]), sensor)
+        look, wall = look_at_wall(capture_from_glance(name, raw), sensor)
     except CalibrationError as error:
-        return LiveInspection(draw_distances(colored, distances, None), str(error))
+        return LiveInspection(draw_distances(colored, wanted, distances, None), str(error))
     if wall is None:
-        return LiveInspection(draw_distances(colored, distances, None), look.sentence)
+        return LiveInspection(draw_distances(colored, wanted, distances, None), look.sentence)
     now_mm = wall_distance_mm(wall)
-    picture = draw_distances(look.picture, distances, now_mm)
+    picture = draw_distances(look.picture, wanted, distances, now_mm)
     if known is not None:
         upper = draw_missing_cells(look.picture, known.cells)
-        picture = draw_distances(upper, distances, now_mm)
+        picture = draw_distances(upper, wanted, distances, now_mm)
     return LiveInspection(picture, look.sentence, np.array([now_mm]))
 
 

@@ -92,6 +92,9 @@ class LivePresenter:
             self._panel.show_serial(states[0].serial)
             self._presenter.choose_serial(states[0].serial)
             self._begin_step()
+        for state in states:
+            if state.factory is not None and state.serial == self._presenter.serial:
+                self._presenter.meet(state.factory)
         taken = self._live.poll(self._presenter.serial, self._presenter.live_kind)
         if taken is not None:
             self._keep(taken)

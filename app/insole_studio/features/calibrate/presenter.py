@@ -14,7 +14,11 @@ from insole_core.sensing.sensor import Sensor, nominal_kinect
 from insole_core.workflows.calibration.picture_folders import LiveKind
 from insole_core.workflows.calibration.picture_readiness import Readiness
 from insole_core.workflows.calibration.report_files import keep_step, step_date
-from insole_core.workflows.calibration.sensor_store import SensorStore, delivering_raw_numbers
+from insole_core.workflows.calibration.sensor_store import (
+    SensorStore,
+    delivering_raw_numbers,
+    measuring_disparity,
+)
 from insole_core.workflows.calibration.steps import StepResult
 from insole_studio.features.calibrate.calibration_steps import STEPS, CalibrationStep
 from insole_studio.features.calibrate.rows import BoardSize, CalibrateButtons, LookRow, StepRow
@@ -114,13 +118,27 @@ class CalibratePresenter:
         self._serial, self._sensor = serial.strip(), None
         try:
             if self._serial:
-                known = self._store.load(self._serial) or nominal_kinect(self._serial)
-                self._sensor = delivering_raw_numbers(known)
+                self._sensor = self._store.load(self._serial) or nominal_kinect(self._serial)
         except InsoleError as error:
             self._open(self._step)
             self._panel.show_error(str(error))
             return
         self._open(self._first_undone())
+
+    def meet(self, factory: Sensor) -> None:
+        """Start from what the factory of the chosen sensor calibrated, if nothing is stored.
+
+        Parameters
+        ----------
+        factory
+            The calibration that the sensor itself tells.
+        """
+        known = self._sensor
+        if known is None or known.serial != factory.serial or factory.depth_unit_mm is None:
+            return
+        if known.depth_unit_mm is None and self._store.load(factory.serial) is None:
+            self._sensor = factory
+            self._open(self._first_undone())
 
     def choose_step(self, key: str) -> None:
         """Open a step."""
@@ -143,6 +161,8 @@ class CalibratePresenter:
         self._forget()
         self._folder = folder
         step, sensor = self._step, self._sensor
+        if self._lack(step):
+            return
 
         def inspect(progress: Progress) -> Readiness:
             assert sensor is not None
@@ -212,11 +232,21 @@ class CalibratePresenter:
         self._step, self._folder = step, None
         self._forget()
         self._panel.show_step(step.title(), step.instruction(), step.uses_board)
-        self._panel.show_error("")
+        self._panel.show_error(self._lack(step))
         self._panel.show_steps([self._row(one) for one in STEPS])
         first = tr("Give the serial number of the sensor, as it stands on its label.")
         then = tr("Start the live picture, or choose the folder with these images.")
         self._panel.show_next([then if self._sensor is not None else first])
+
+    def _lack(self, step: CalibrationStep) -> str:
+        """Return why a step is not for the chosen sensor, a sentence; empty where it is."""
+        if self._sensor is None:
+            return ""
+        try:
+            (measuring_disparity if step.live == "walls" else delivering_raw_numbers)(self._sensor)
+        except InsoleError as error:
+            return str(error)
+        return ""
 
     def _row(self, step: CalibrationStep) -> StepRow:
         done = step_date(self._store, self._serial, step.key) if self._sensor is not None else ""
@@ -229,7 +259,9 @@ class CalibratePresenter:
         undone = [
             step
             for step in STEPS
-            if not step.optional and not step_date(self._store, self._serial, step.key)
+            if not step.optional
+            and not self._lack(step)
+            and not step_date(self._store, self._serial, step.key)
         ]
         return undone[0] if undone else self._step
 
@@ -287,7 +319,7 @@ class CalibratePresenter:
         usable = self._readiness is not None and self._readiness.usable > 0
         self._panel.show_buttons(
             CalibrateButtons(
-                choose=idle and self._sensor is not None,
+                choose=idle and self._sensor is not None and not self._lack(self._step),
                 calibrate=idle and usable,
                 save=idle and self._result is not None,
                 undo=idle and self._can_undo(),

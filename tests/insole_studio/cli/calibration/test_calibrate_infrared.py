@@ -315,5 +315,5 @@ def test_a_stereo_camera_has_no_such_pattern(
     words = ["calibrate", "infrared", str(learnt.walls), "--sensor", str(sensor)]
     for what in (["--out", str(tmp_path / "new.npz")], ["--check", str(learnt.out)]):
         assert run([*words, *what]) == 1
-        assert "is a realsense-d415, which delivers millimetres; only" in capsys.readouterr().err
+        assert "a realsense-d415, whose cameras and scale its" in capsys.readouterr().err
     assert not (tmp_path / "new.npz").exists()

@@ -126,7 +126,7 @@ def test_walls_are_not_for_a_camera_of_millimetres(
     (kept / "sensor.json").write_text(json.dumps(values))
     walls = write_walls(tmp_path / "walls", SimulatedDevice(np.zeros((480, 640))), WALLS[:1], 1)
     assert run([*words, str(walls), "--serial", "SIM1", "--sensors", str(tmp_path)]) == 1
-    assert "Sensor SIM1 is a realsense-d415, which delivers millimetres; only" in last_line()
+    assert "SIM1 is a realsense-d415, which measures no disparity" in last_line()
 
 
 def test_resolution(perfect: list[str], tmp_path: Path) -> None:
