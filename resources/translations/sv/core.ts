@@ -7708,6 +7708,10 @@
             <translation>sänder inga infraröda bilder; välj en som gör det</translation>
         </message>
         <message>
+            <source>sends no pair of infrared pictures; start it with them</source>
+            <translation>skickar inget par av infraröda bilder; starta den med dem</translation>
+        </message>
+        <message>
             <source>sensors</source>
             <translation>sensorer</translation>
         </message>
