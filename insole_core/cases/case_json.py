@@ -31,6 +31,7 @@ from insole_core.insole.prescription.design_json import design_from_json, design
 from insole_core.insole.prescription.template import Template, template_from_json, template_to_json
 from insole_core.json_object import JsonObject
 from insole_core.recording.capture_place import place_from_json, place_to_json
+from insole_core.recording.session import WEIGHT_BEARING
 
 FORMAT, VERSION = "insole-case", 2
 _MOST_MM, _MOST_SOURCE_MM = 1e4, 1e9
@@ -252,6 +253,9 @@ def source_from_json(source: JsonObject) -> ScanSource:
         source.flag("mirrored") if source.has("mirrored") else False,
         source.date("scanned_on")[:10] if source.has("scanned_on") else "",
         place_from_json(source.object("place")) if source.has("place") else None,
+        source.choice("weight_bearing", WEIGHT_BEARING)
+        if source.has("weight_bearing")
+        else WEIGHT_BEARING[0],
     )
 
 
@@ -263,6 +267,8 @@ def _source_to_json(source: ScanSource) -> dict[str, Any]:
     if not content["choice"]:
         del content["choice"]
     content["place"] = None if source.place is None else place_to_json(source.place)
+    if source.weight_bearing == WEIGHT_BEARING[0]:
+        del content["weight_bearing"]
     for key in ("mirrored", "scanned_on", "place"):
         if not content[key]:
             del content[key]

@@ -114,6 +114,8 @@ class ScanSource:
         Day (ISO 8601) of the earlier visit that the scan is of; empty for one of its own visit.
     place
         Where a session was captured; None where that is not known.
+    weight_bearing
+        One of `WEIGHT_BEARING`, by what a session says.
     """
 
     kind: str
@@ -125,6 +127,7 @@ class ScanSource:
     mirrored: bool = False
     scanned_on: str = ""
     place: CapturePlace | None = None
+    weight_bearing: str = "none"
 
     def with_needed_place(self) -> ScanSource:
         """Return the source as the record keeps it, which holds the scan itself as a capture.

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from insole_core.contact.elastic_layers import Layer
 from insole_core.contact.hardness import USUAL_SHORE_A, body_of
 from insole_core.contact.stance import Ground, Sole, insole_on_floor, shoe_floor
 from insole_core.insole.build import BaseStep, build_insole
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import MaterialTable
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import contact_base
@@ -20,8 +22,8 @@ _NO_MATERIAL = (
     "half and twice its stiffness."
 )
 _LAYERS = Message(
-    "A design has separate layers, whose materials are not known; the insole is taken for one "
-    "piece, and the limits allow for half and twice its stiffness."
+    "A design does not say what its separate layers are made of; they are taken for the material "
+    "of the rest, and the limits allow for half and twice its stiffness."
 )
 
 
@@ -49,7 +51,7 @@ class Shoe:
         assumed = []
         if self.body is None and not all(material_name(design) for design in given):
             assumed.append(Message(_NO_MATERIAL, hardness=USUAL_SHORE_A))
-        if any(design.layers.total_mm > 0 for design in given):
+        if self.body is None and any(_has_unnamed_layers(design.layers) for design in given):
             assumed.append(_LAYERS)
         return tuple(assumed)
 
@@ -63,10 +65,21 @@ class Shoe:
         Raises
         ------
         DesignError
-            When it is not known how much its material gives way.
+            When it is not known how much its materials give way.
         """
-        body = self.body or body_of(material_name(design), self.table)
-        return insole_on_floor(sole, design, contact, body, self.layers)
+        own = [self.body] if self.body is not None else list(self._layers_of(design))
+        return insole_on_floor(sole, design, contact, own, self.layers)
+
+    def _layers_of(self, design: InsoleDesign) -> Iterator[Layer]:
+        """Yield what a design is made of, from the foot down; the last is a millimetre of it."""
+        rest, layers = material_name(design), design.layers
+        for thickness_mm, material in (
+            (layers.cover_mm, layers.cover_material),
+            (layers.shell_mm, layers.shell_material),
+        ):
+            if thickness_mm > 0:
+                yield replace(body_of(material or rest, self.table), thickness_mm=thickness_mm)
+        yield body_of(rest, self.table)
 
     def built(
         self,
@@ -88,5 +101,18 @@ class Shoe:
 
 
 def material_name(design: InsoleDesign) -> str:
-    """Return the material that a design names; empty if it names none."""
+    """Return the material of what separate layers leave of a design; empty if it names none."""
+    if design.layers.base_mm > 0 and design.layers.base_material:
+        return design.layers.base_material
     return "" if design.shell is None else design.shell.material
+
+
+def _has_unnamed_layers(layers: Layers) -> bool:
+    return any(
+        thickness_mm > 0 and not material
+        for thickness_mm, material in (
+            (layers.cover_mm, layers.cover_material),
+            (layers.shell_mm, layers.shell_material),
+            (layers.base_mm, layers.base_material),
+        )
+    )

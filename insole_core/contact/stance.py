@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import pairwise
@@ -40,10 +40,39 @@ _ROWS = 0.8
 _TOES = (0.86, 0.95)
 _BEHIND_HEADS = 0.04
 """Share of the length: pads press behind the heads, and relieve the heads themselves."""
+_WITH_WEIGHT = Message(
+    "The foot was recorded with a part of the weight on it: the sole is flatter than without it, "
+    "and reliefs are understated."
+)
 _FLATTER = Message(
     "The imprint or cast was taken under a part of the weight: the sole is flatter than without "
     "it, and reliefs are understated."
 )
+
+
+def notes_of_weight(weight_bearing: str) -> tuple[Message, ...]:
+    """Return what has to be told of the weight with which a foot was recorded.
+
+    Parameters
+    ----------
+    weight_bearing
+        One of `WEIGHT_BEARING`.
+    """
+    return (_WITH_WEIGHT,) if weight_bearing == "semi" else ()
+
+
+def check_weight(weight_bearing: str) -> None:
+    """Refuse a foot that was recorded with the whole weight on it.
+
+    Raises
+    ------
+    InputError
+    """
+    if weight_bearing == "full":
+        raise InputError(
+            "The foot was recorded with the weight on it, and its sole is flat then; how load "
+            "moves can only be told from a foot without weight on it."
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,21 +223,28 @@ class Ground:
         A millimetre of its material; None without an insole.
     shoe
         Layers of the shoe below; none of a rigid one.
+    upper
+        Separate layers of the insole, from the foot down; its body is what they leave.
     """
 
     top_mm: FloatArray
     thickness_mm: FloatArray
     body: Layer | None = None
     shoe: tuple[Layer, ...] = ()
+    upper: tuple[Layer, ...] = ()
 
     def softer(self, times: float) -> Ground:
-        """Return the same with a material of a modulus that is so many times lower."""
+        """Return the same with materials of moduli that are so many times lower."""
         if self.body is None:
             return self
-        return replace(self, body=replace(self.body, modulus_mpa=self.body.modulus_mpa / times))
+        body, *upper = (
+            replace(layer, modulus_mpa=layer.modulus_mpa / times)
+            for layer in (self.body, *self.upper)
+        )
+        return replace(self, body=body, upper=tuple(upper))
 
     def strain(self, sunk_mm: FloatArray) -> FloatArray:
-        """(ny, nx) how far the insole is compressed, as a share of its thickness; 0 beside it.
+        """(ny, nx) how far the softest layer is compressed, as a share of it; 0 beside the insole.
 
         Parameters
         ----------
@@ -217,22 +253,37 @@ class Ground:
         """
         if self.body is None:
             return np.zeros_like(sunk_mm)
-        whole = self.thickness_mm / self.body.confined_mpa + uniform_compliance(self.shoe)
-        own = np.divide(sunk_mm, whole, out=np.zeros_like(sunk_mm), where=self.thickness_mm > 0)
-        return own / self.body.confined_mpa
+        whole = np.full_like(sunk_mm, uniform_compliance(self.shoe))
+        softest = np.zeros_like(sunk_mm)
+        left = self.thickness_mm
+        most_mm = (*(layer.thickness_mm for layer in self.upper), np.inf)
+        for layer, most in zip((*self.upper, self.body), most_mm, strict=True):
+            whole += np.minimum(left, most) / layer.confined_mpa
+            softest = np.where(left > 0, np.maximum(softest, 1 / layer.confined_mpa), softest)
+            left = np.maximum(left - most, 0.0)
+        mpa = np.divide(sunk_mm, whole, out=np.zeros_like(sunk_mm), where=self.thickness_mm > 0)
+        return np.asarray(mpa * softest)
 
     def beds(self, known: BoolArray) -> list[Bed]:
         """Return what gives way: the thinnest stack, and for each thicker one what it adds."""
         counted: tuple[Layer, ...] = ()
         beds = []
         for thickness, share in self._steps(known):
-            layers = self.shoe
-            if self.body is not None:
-                layers = (replace(self.body, thickness_mm=thickness), *self.shoe)
+            layers = (*self._insole(thickness), *self.shoe)
             if uniform_compliance(layers) - uniform_compliance(counted) > _STIFF:
                 beds.append(Bed(layers, share, counted=counted))
                 counted = layers
         return beds
+
+    def _insole(self, thickness_mm: float) -> Iterator[Layer]:
+        """Yield the layers of the insole where it has a thickness."""
+        if self.body is None:
+            return
+        for layer in self.upper:
+            taken_mm = min(layer.thickness_mm, thickness_mm)
+            yield replace(layer, thickness_mm=taken_mm)
+            thickness_mm -= taken_mm
+        yield replace(self.body, thickness_mm=thickness_mm)
 
     def _steps(self, known: BoolArray) -> list[tuple[float, FloatArray]]:
         """Return thicknesses, and how far each node is thicker than the one before, up to 1."""
@@ -256,7 +307,11 @@ def shoe_floor(
 
 
 def insole_on_floor(
-    sole: Sole, design: InsoleDesign, contact: HeightField, body: Layer, shoe: Sequence[Layer] = ()
+    sole: Sole,
+    design: InsoleDesign,
+    contact: HeightField,
+    layers: Sequence[Layer],
+    shoe: Sequence[Layer] = (),
 ) -> Ground:
     """Return an insole in its shoe; beside it, the foot stands on the shoe's floor.
 
@@ -264,15 +319,16 @@ def insole_on_floor(
     ----------
     contact
         Upper side of the insole, with its pads, mm, insole frame.
-    body
-        A millimetre of its material.
+    layers
+        Of its materials, from the foot down; the last takes what the others leave.
     """
     floor = shoe_floor(sole, design).top_mm
     curve = insole_outline(sole.foot, design, find_landmarks(sole.foot))
     on_insole = sole.field.nodes_about(curve, 0)
     heights = contact.height_at(sole.field.nodes[:, :2]).reshape(floor.shape)
     top = np.where(on_insole & np.isfinite(heights), heights, floor)
-    return Ground(top, np.maximum(top - floor, 0.0), body, tuple(shoe))
+    *upper, body = layers
+    return Ground(top, np.maximum(top - floor, 0.0), body, tuple(shoe), tuple(upper))
 
 
 def stand(

@@ -9,6 +9,7 @@ from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.json_object import JsonObject
 from insole_core.recording.box import Box
 from insole_core.recording.session import (
+    WEIGHT_BEARING,
     CaptureCondition,
     FootPlace,
     Manifest,
@@ -21,7 +22,6 @@ VERSION = 3
 """Of a session with a sensor that delivers millimetres, of one foot or both."""
 _ONE_FOOT, _BOTH_FEET = 1, 2
 """Of sessions of Kinects alone."""
-WEIGHT_BEARING = ("none", "semi", "full")
 _KNOWN = {
     "format", "version", "recorded_at", "side", "reference_frame", "views",
     "volume_of_interest_mm", "capture_condition",

@@ -90,6 +90,10 @@ class ReferenceSystem:
         return ReferenceSystem(self.name, tuple(map(moved, self.markers)))
 
 
+WEIGHT_BEARING = ("none", "semi", "full")
+"""How much of the weight a session says was on the foot."""
+
+
 @dataclass(frozen=True)
 class CaptureCondition:
     """Load and support of the foot during the capture.
@@ -97,7 +101,7 @@ class CaptureCondition:
     Parameters
     ----------
     weight_bearing
-        ``none``, ``semi`` or ``full``.
+        One of `WEIGHT_BEARING`.
     held
         Whether the foot was held.
     """

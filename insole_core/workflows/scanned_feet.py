@@ -16,7 +16,7 @@ from insole_core.given_file import sha256_of
 from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.recording.session import Session
+from insole_core.recording.session import CaptureCondition, Session
 from insole_core.recording.store import MAX_ARCHIVE_BYTES
 from insole_core.scans.mesh_file import ReadMesh
 from insole_core.scans.surroundings import second_foot, without_surroundings
@@ -150,7 +150,8 @@ class ScannedFoot:
 def session_source(path: Path, session: Session) -> ScanSource:
     """Return the scan record of a session that was read from `path`."""
     source = _source("session", path, session.manifest.recorded_at)
-    return replace(source, place=session.place)
+    condition = session.manifest.capture_condition or CaptureCondition()
+    return replace(source, place=session.place, weight_bearing=condition.weight_bearing)
 
 
 def mesh_source(path: Path, form: Form = Form.FOOT) -> ScanSource:

@@ -72,6 +72,7 @@ UNSET = {
     "kind": "felt_pad", "sigma_mm": (12.0, 18.0), "blend_mm": 7.0, "target_mm": 24.0,
     "apex_mm": (16.0, 120.0), "width_mm": 3.2, "body_weight_kg": 82.0, "least_mm": 2.2,
     "least_edge_mm": 1.2, "trim_mm": ((30.0, 150.0), (0.0, 160.0)), "length_mm": 44.0,
+    "cover_material": "felt", "shell_material": "felt", "base_material": "felt",
 }  # fmt: skip
 """What stands for a value that is not set."""
 

@@ -28,10 +28,6 @@ if TYPE_CHECKING:
 NAME = "pressure-change"
 HELP = "tell how load moves from one design to another, in per cent, by a model"
 
-_FLATTER = (
-    "The foot was recorded with a part of the weight on it: the sole is flatter than without it, "
-    "and reliefs are understated."
-)
 _SAME_FOOT_MM = 1.0
 _A_PLACE = re.compile(r"^-\d")
 """What begins like a negative number is a place, and no option."""
@@ -152,20 +148,17 @@ def _notes_of_session(path: Path) -> list[str]:
     InputError
         When the whole weight was on it.
     """
+    from insole_core.contact.stance import check_weight, notes_of_weight
     from insole_core.recording.reader import is_session, read_session
     from insole_core.scans.scan_folder import holds_scans
 
     if not is_session(path) or holds_scans(path):
         return []
     condition = read_session(path).manifest.capture_condition
-    weight = "none" if condition is None else condition.weight_bearing
-    if weight == "full":
-        raise InputError(
-            "{path} was recorded with the weight on the foot, whose sole is flat then; how load "
-            "moves can only be told from a foot without weight on it.",
-            path=path,
-        )
-    return [_FLATTER] if weight == "semi" else []
+    if condition is None:
+        return []
+    check_weight(condition.weight_bearing)
+    return [str(note) for note in notes_of_weight(condition.weight_bearing)]
 
 
 def _shoe(arguments: argparse.Namespace) -> Shoe:

@@ -17,7 +17,7 @@ from insole_core.contact.change import (
 from insole_core.contact.designs import Shoe
 from insole_core.contact.dose import Dose, DoseCurve, dose_curve, dosed, with_dose
 from insole_core.contact.load_case import Posture
-from insole_core.contact.stance import Ground, Sole
+from insole_core.contact.stance import Ground, Sole, check_weight, notes_of_weight
 from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.insole.elements import Pelott
@@ -26,6 +26,7 @@ from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import apply_pads
 from insole_core.messages import Message
 from insole_core.progress import Progress
+from insole_core.recording.session import WEIGHT_BEARING
 from insole_core.workflows.foot_landmarks import Marked, landmarks_of
 from insole_core.workflows.insole_builder import InsoleBuilder
 from insole_studio.document.case import Case
@@ -82,6 +83,7 @@ class _Task:
     contact: HeightField
     old_design: InsoleDesign | None
     shoe: Shoe
+    weight_bearing: str
     is_at_rest: bool
 
     @property
@@ -167,7 +169,11 @@ class LoadView(QObject):
     @property
     def notes(self) -> tuple[Message, ...]:
         """What is assumed, and what has to be told of the scan."""
-        of_foot = () if self.change is None else self.change.sole.notes
+        record = self._case.record.current
+        of_foot: tuple[Message, ...] = ()
+        if self.change is not None and record is not None:
+            of_weight = notes_of_weight(record.source.weight_bearing)
+            of_foot = *self.change.sole.notes, *of_weight
         shoe = Shoe(self._materials.table)
         return *of_foot, *shoe.assumed(self._case.shown.design, self._old_design())
 
@@ -200,7 +206,9 @@ class LoadView(QObject):
         still = replace(contact, heights_mm=contact.heights_mm.copy())
         is_at_rest = case.shown is case.record and self._surface.is_current
         shoe = Shoe(self._materials.table)
-        return _Task(question, foot, case.record, design, still, old, shoe, is_at_rest)
+        record = case.record.current
+        weight = WEIGHT_BEARING[0] if record is None else record.source.weight_bearing
+        return _Task(question, foot, case.record, design, still, old, shoe, weight, is_at_rest)
 
     def _old_design(self) -> InsoleDesign | None:
         """Return the design of the variant that is compared with; None for a flat shoe."""
@@ -214,6 +222,7 @@ class LoadView(QObject):
         builder, before = self._surface.builder, self.change
 
         def compute(_progress: Progress) -> Change:
+            check_weight(task.weight_bearing)
             old, new = task.grounds(builder)
             return changed(task.loading, old, new, Assumptions(), before)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from insole_core.insole.fields import Choice, Number, Part
+from insole_core.insole.fields import Choice, Number, Part, Text
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -14,6 +14,8 @@ class Layers(Part):
 
     Parameters
     ----------
+    cover_material, shell_material, base_material
+        Of the layers; None if not said.
     cover_is_taken_off
         The cover is glued on later: what is made lies lower by its thickness, and the foot stands
         on the cover.
@@ -36,6 +38,27 @@ class Layers(Part):
             within="Layers",
         ),
     ] = 0.0
+    cover_material: Annotated[
+        str | None,
+        Text(
+            "Material of the cover",
+            effect="What the layer is made of; a material of the clinic's table",
+        ),
+    ] = None
+    shell_material: Annotated[
+        str | None,
+        Text(
+            "Material of the middle layer",
+            effect="What the layer is made of; a material of the clinic's table",
+        ),
+    ] = None
+    base_material: Annotated[
+        str | None,
+        Text(
+            "Material of the base",
+            effect="What the layer is made of; a material of the clinic's table",
+        ),
+    ] = None
     cover_is_taken_off: Annotated[
         bool,
         Choice(

@@ -156,8 +156,8 @@
             <translation>En fräs på {diameter_mm:g} mm begärs, och måste vara {least_mm:g} till {most_mm:g} mm; ange en annan diameter.</translation>
         </message>
         <message>
-            <source>A design has separate layers, whose materials are not known; the insole is taken for one piece, and the limits allow for half and twice its stiffness.</source>
-            <translation>En design har separata skikt vars material inte är kända; inlägget räknas som ett stycke, och gränserna rymmer halva och dubbla styvheten.</translation>
+            <source>A design does not say what its separate layers are made of; they are taken for the material of the rest, and the limits allow for half and twice its stiffness.</source>
+            <translation>En design anger inte vad dess separata skikt är gjorda av; de räknas som materialet i resten, och gränserna rymmer halva och dubbla styvheten.</translation>
         </message>
         <message>
             <source>A design names no material; foam of Shore A {hardness:g} is assumed, and the limits allow for half and twice its stiffness.</source>
@@ -1808,6 +1808,18 @@
             <translation>Materialets parti</translation>
         </message>
         <message>
+            <source>Material of the base</source>
+            <translation>Basens material</translation>
+        </message>
+        <message>
+            <source>Material of the cover</source>
+            <translation>Överdragets material</translation>
+        </message>
+        <message>
+            <source>Material of the middle layer</source>
+            <translation>Mellanlagrets material</translation>
+        </message>
+        <message>
             <source>Measure</source>
             <translation>Mått</translation>
         </message>
@@ -3400,6 +3412,14 @@
             <translation>Foten har tryckts ner i skum, så dess vävnad är redan utbredd av belastningen: inget mjukdelstillägg föreslås.</translation>
         </message>
         <message>
+            <source>The foot was recorded with a part of the weight on it: the sole is flatter than without it, and reliefs are understated.</source>
+            <translation>Foten spelades in med en del av vikten på: sulan är plattare än utan den, och avlastningar underskattas.</translation>
+        </message>
+        <message>
+            <source>The foot was recorded with the weight on it, and its sole is flat then; how load moves can only be told from a foot without weight on it.</source>
+            <translation>Foten spelades in med vikten på, och då är dess sula platt; hur lasten flyttas kan bara sägas av en fot utan vikt på.</translation>
+        </message>
+        <message>
             <source>The foot would be {length_mm:.0f} mm long, which few feet are; check the unit.</source>
             <translation>Foten skulle vara {length_mm:.0f} mm lång, vilket få fötter är; kontrollera enheten.</translation>
         </message>
@@ -4850,6 +4870,10 @@
         <message>
             <source>What the edge of the insole follows</source>
             <translation>Vad inläggets kant följer</translation>
+        </message>
+        <message>
+            <source>What the layer is made of; a material of the clinic's table</source>
+            <translation>Vad lagret är gjort av; ett material ur klinikens tabell</translation>
         </message>
         <message>
             <source>What the pad looks like from above</source>

@@ -4,6 +4,10 @@
     <context>
         <name>insole_studio</name>
         <message>
+            <source>0 if unknown</source>
+            <translation>0 om okänt</translation>
+        </message>
+        <message>
             <source>A body below the shell that tilts it and stands flat on the ground</source>
             <translation>En kil under skalet som lutar det och står plant på underlaget</translation>
         </message>
@@ -184,8 +188,8 @@
             <translation>Fotens sida</translation>
         </message>
         <message>
-            <source>From material and body weight a thickness is proposed; the least thickness is kept everywhere.</source>
-            <translation>Av material och kroppsvikt föreslås en tjocklek; den minsta tjockleken hålls överallt.</translation>
+            <source>From material and body weight a thickness is proposed; the least thickness is kept everywhere. By hardness or modulus the change of the pressure is computed.</source>
+            <translation>Av material och kroppsvikt föreslås en tjocklek; den minsta tjockleken hålls överallt. Efter hårdhet eller modul beräknas tryckets förändring.</translation>
         </message>
         <message>
             <source>From which, with the weight, a thickness is proposed</source>
@@ -198,6 +202,10 @@
         <message>
             <source>Give the imprint a designed rim and toe zone</source>
             <translation>Ge avtrycket en utformad kant och tåzon</translation>
+        </message>
+        <message>
+            <source>Hardness, Shore A</source>
+            <translation>Hårdhet, Shore A</translation>
         </message>
         <message>
             <source>Height of the medial rim at its peak, over the heel's floor</source>
@@ -444,6 +452,14 @@
             <translation>Det som fyndet föreslår blir kvar. Behåll en ordination under dess namn för att ändra det.</translation>
         </message>
         <message>
+            <source>What the layer is made of: by it, the change of the pressure is computed</source>
+            <translation>Vad skiktet är gjort av: efter det beräknas tryckets förändring</translation>
+        </message>
+        <message>
+            <source>Young's modulus</source>
+            <translation>Elasticitetsmodul</translation>
+        </message>
+        <message>
             <source>above</source>
             <translation>över</translation>
         </message>
@@ -458,6 +474,10 @@
         <message>
             <source>mm over the heel</source>
             <translation>mm över hälen</translation>
+        </message>
+        <message>
+            <source>not said</source>
+            <translation>inte angivet</translation>
         </message>
         <message>
             <source>of this foot</source>

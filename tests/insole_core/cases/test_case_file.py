@@ -59,7 +59,8 @@ def record() -> CaseRecord:
         ),
         earlier=Template("A", design, ((0.0, 30.0), (25.0, 170.0), (-30.0, 150.0))),
     ).with_variant(Variant("B", replace(design, thickness_mm=3.0)))
-    right = FootRecord.begun(Foot(Side.RIGHT, wedge(), np.eye(4), 243.0), source)
+    stood = replace(source, weight_bearing="semi")
+    right = FootRecord.begun(Foot(Side.RIGHT, wedge(), np.eye(4), 243.0), stood)
     patient = Patient("Änna B.", "1970-01-02", "2026-11-20", "first\nsecond")
     return CaseRecord(patient).with_foot(right).with_foot(left)
 
@@ -174,6 +175,10 @@ BAD: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
     "a pelott out of range": (
         lambda c: c["feet"][0]["variants"][0]["design"]["corrections"][0].update(height_mm=500),
         "height_mm",
+    ),
+    "a weight of no kind": (
+        lambda c: c["feet"][0]["source"].update(weight_bearing="heavy"),
+        "source.weight_bearing",
     ),
     "a source of no kind": (lambda c: c["feet"][0]["source"].update(kind="dream"), "source.kind"),
     "a scan in an unknown unit": (

@@ -23,7 +23,14 @@ from insole_core.contact.elastic_layers import uniform_compliance
 from insole_core.contact.hardness import body_of, foam, modulus_of_shore_a
 from insole_core.contact.load_case import Posture
 from insole_core.contact.pressing import Pressed
-from insole_core.contact.stance import SOFT_SHOE, Ground, Sole, shoe_floor
+from insole_core.contact.stance import (
+    SOFT_SHOE,
+    Ground,
+    Sole,
+    check_weight,
+    notes_of_weight,
+    shoe_floor,
+)
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
@@ -297,3 +304,44 @@ def test_a_stiff_shell_is_as_hard_as_a_floor_of_its_form(sole: Sole) -> None:
     ground = made.built(sole, design)
     assert ground.beds(sole.known) == []
     assert np.array_equal(ground.top_mm, EVA.built(sole, design).top_mm)
+
+
+def test_layers_give_way_in_series_each_by_its_own_material(sole: Sole) -> None:
+    stiff = replace(padded(sole.foot, 0), shell=Shell(material="polypropylene"))
+    shoe = Shoe(read_materials())
+
+    def stacked(**layers: Any) -> Ground:
+        design = replace(stiff, layers=Layers(**layers))
+        assert not shoe.assumed(design)
+        return shoe.built(sole, design)
+
+    covered = stacked(cover_mm=3, cover_material="EVA")
+    thicker = stacked(cover_mm=3, cover_material="EVA", shell_mm=2, shell_material="EVA")
+    soft = stacked(cover_mm=3, cover_material="EVA", base_mm=3, base_material="EVA")
+    give = [
+        sum(
+            uniform_compliance(bed.layers) - uniform_compliance(bed.counted)
+            for bed in one.beds(sole.known)
+        )
+        for one in (covered, thicker, soft)
+    ]
+    assert give[0] == pytest.approx(3 / foam(35).confined_mpa, rel=0.05)
+    assert give[0] < give[1] < give[2]
+    assert covered.softer(2).upper[0].modulus_mpa == covered.upper[0].modulus_mpa / 2
+    mpa = 0.1
+    whole = covered.thickness_mm.clip(0, 3) / foam(35).confined_mpa
+    strain = covered.strain(mpa * whole)
+    assert strain.max() == pytest.approx(mpa / foam(35).confined_mpa, rel=0.01)
+    unsaid = replace(stiff, layers=Layers(cover_mm=3))
+    assert len(shoe.assumed(unsaid)) == 1
+    assert not Shoe(read_materials(), body=foam(35)).assumed(unsaid)
+    with pytest.raises(DesignError, match="felt"):
+        stacked(cover_mm=3, cover_material="felt")
+
+
+def test_a_foot_that_was_recorded_with_weight_is_told_or_refused() -> None:
+    assert notes_of_weight("none") == ()
+    assert "part of the weight" in notes_of_weight("semi")[0]
+    with pytest.raises(InputError, match="without weight"):
+        check_weight("full")
+    check_weight("semi")

@@ -230,6 +230,8 @@ def test_materials_are_added_and_removed(opened: Application) -> None:
     assert not dialog.keep.isEnabled()
     dialog.name.selectAll()
     QTest.keyClicks(dialog.name, "Carbon")
+    retype(dialog.shore, "25")
+    assert (dialog.materials[-1].shore_a, dialog.materials[-1].modulus_mpa) == (25.0, None)
     QTest.mouseClick(dialog.steps.add, LEFT)
     retype(dialog.steps.weights[0], "80")
     QTest.mouseClick(dialog.steps.add, LEFT)

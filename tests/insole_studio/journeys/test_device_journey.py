@@ -235,6 +235,10 @@ def test_a_cover_is_glued_on_later_and_the_insole_gets_narrow(
     opened: Application, settle: Callable[[], None]
 ) -> None:
     type_number(opened, "layers.cover_mm", "2")
+    pick(opened, "layers.cover_material", "EVA")
+    assert design(opened).layers.cover_material == "EVA"
+    pick(opened, "layers.cover_material", "")
+    assert design(opened).layers.cover_material is None
     pick(opened, "layers.cover_is_taken_off", "1")
     assert design(opened).layers.cover_is_taken_off is True
     pick(opened, "outline.width_mm", "1")

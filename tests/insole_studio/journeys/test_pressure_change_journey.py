@@ -114,6 +114,17 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     assert dialog.problem.text()
     app.case.undo()
 
+    # Of a foot that was recorded with weight on it, nothing is told; of one with a part, that.
+    for weight, said in (("full", dialog.problem), ("semi", dialog.assumed)):
+        foot = app.case.record.current
+        assert foot is not None
+        source = replace(foot.source, weight_bearing=weight)
+        app.case.apply(app.case.record.with_foot(replace(foot, source=source)), "Change")
+        settle()
+        assert (load.change is None) == (weight == "full")
+        assert "recorded with" in said.text()
+        app.case.undo()
+
     # The other foot has nothing of this one's, not even what is being computed.
     whole = app.case.record
     left = whole.current

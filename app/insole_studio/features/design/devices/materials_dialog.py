@@ -26,6 +26,8 @@ from PySide6.QtWidgets import (
 from insole_core.errors import InputError
 from insole_core.insole.prescription.materials import (
     ANY_MATERIAL,
+    MODULUS_MPA,
+    SHORE_A,
     THICKNESS,
     WEIGHT,
     Material,
@@ -80,10 +82,12 @@ class MaterialsDialog(QDialog):
         self.least = _millimetres()
         self.least_edge = _millimetres()
         self.steps = StepsEditor()
+        self.shore = _stiffness("", SHORE_A, 5.0)
+        self.modulus = _stiffness("MPa", MODULUS_MPA, 100.0)
         self.source = QLineEdit()
         for line in (self.name, self.source):
             line.textEdited.connect(self._take_edit)
-        for field in (self.least, self.least_edge):
+        for field in (self.least, self.least_edge, self.shore, self.modulus):
             field.edited.connect(self._take_edit)
         self.steps.edited.connect(self._take_edit)
         self.problem = MessageLabel("warning")
@@ -139,6 +143,8 @@ class MaterialsDialog(QDialog):
         form.addRow(tr("Least thickness"), self.least)
         form.addRow(tr("At the front edge"), self.least_edge)
         form.addRow(tr("Usual thickness"), self.steps)
+        form.addRow(tr("Hardness, Shore A"), self.shore)
+        form.addRow(tr("Young's modulus"), self.modulus)
         form.addRow(tr("Source"), self.source)
         mark_labels(form)
         rows = QHBoxLayout()
@@ -158,7 +164,7 @@ class MaterialsDialog(QDialog):
         words = QLabel(
             tr(
                 "From material and body weight a thickness is proposed; the least thickness is "
-                "kept everywhere."
+                "kept everywhere. By hardness or modulus the change of the pressure is computed."
             )
         )
         words.setWordWrap(True)
@@ -188,7 +194,10 @@ class MaterialsDialog(QDialog):
     def _show_chosen(self) -> None:
         """Show the values of the chosen material."""
         material = self._chosen
-        for widget in (self.name, self.least, self.least_edge, self.steps, self.source):
+        for widget in (
+            self.name, self.least, self.least_edge, self.steps, self.shore, self.modulus,
+            self.source,
+        ):  # fmt: skip
             widget.setEnabled(material is not None)
         self.remove.setEnabled(material is not None)
         material = material or ANY_MATERIAL
@@ -196,6 +205,8 @@ class MaterialsDialog(QDialog):
         self.least.show_value(material.least_mm)
         self.least_edge.show_value(material.least_edge_mm)
         self.steps.show_steps(material.steps)
+        self.shore.show_value(material.shore_a or 0.0)
+        self.modulus.show_value(material.modulus_mpa or 0.0)
         self.source.setText(translate_core_message(material.source))
         self._show_problem()
 
@@ -210,6 +221,8 @@ class MaterialsDialog(QDialog):
             least_mm=self.least.value(),
             least_edge_mm=self.least_edge.value(),
             steps=self.steps.steps(),
+            shore_a=self.shore.value() or None,
+            modulus_mpa=self.modulus.value() or None,
             source=_typed(self.source, before.source),
         )
         self.list.item(row).setText(self.name.text().strip())
@@ -328,6 +341,16 @@ class StepsEditor(QWidget):
 
 def _millimetres() -> NumberField:
     field = NumberField("mm", least=THICKNESS.least, greatest=THICKNESS.greatest, step=0.2)
+    field.set_room(_FIELD_PX)
+    return field
+
+
+def _stiffness(unit: str, limits: tuple[float, float], step: float) -> NumberField:
+    """Return a field of a value that may be unknown, which it then shows."""
+    least, greatest = limits
+    field = NumberField(unit, least=0, greatest=greatest, step=step, decimals=2 if least < 1 else 1)
+    field.allow_unknown(least)
+    field.setToolTip(tr("0 if unknown"))
     field.set_room(_FIELD_PX)
     return field
 

@@ -142,9 +142,8 @@ class LoadDialog(QDialog):
                "foot is one rigid bone with soft tissue: its arch does not sag and its toes do not "
                "bend, so that postings and total contact under the forefoot are judged wrongly. "
                "Where the model is not sure enough, it says so. A sole that weight has made "
-               "flat is refused; less weight on the foot is not seen in a scan, and reliefs are "
-               "then understated. Separate layers and covers are taken for one piece with the "
-               "shell."),
+               "flat is refused; less weight on the foot is only known of captures, and reliefs "
+               "are then understated. Layers without a material are taken for that of the shell."),
             tr("It is no measurement. What the patient's foot does in the shoe, only a "
                "measurement in the shoe tells. F1 opens the whole page, with all it was checked "
                "against."),

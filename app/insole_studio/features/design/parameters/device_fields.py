@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 from insole_core.errors import DesignError
 from insole_core.geometry.side import Side
@@ -11,6 +12,7 @@ from insole_core.insole.fields import Range, declared, ranges_of
 from insole_core.insole.prescription.base_form import BaseForm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.finish import Finish, RimStation
+from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import (
     MaterialTable,
     proposed_thickness,
@@ -188,6 +190,44 @@ def shell_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
     posts = (spec for region in REGIONS for spec in _post_fields(design, region))
     fields = (material, weight, *field_specs(shell, "shell", design.side), *posts)
     return FieldGroup(tr("Shell"), fields, _offers(design, table))
+
+
+def layers_group(design: InsoleDesign, table: MaterialTable) -> FieldGroup:
+    """Return the group of the separate layers: the material of one is asked once it has some.
+
+    Parameters
+    ----------
+    table
+        The clinic's materials.
+    """
+    layers = design.layers
+    fields: list[FieldSpec | ChoiceSpec] = []
+    for spec in field_specs(layers, "layers", design.side):
+        fields.append(spec)
+        layer = spec.key.removeprefix("layers.").removesuffix("_mm")
+        if isinstance(spec, FieldSpec) and spec.value > 0:
+            fields.append(_layer_material(layers, f"{layer}_material", table))
+    return FieldGroup(tr("Layers"), tuple(fields))
+
+
+def with_layers_value(design: InsoleDesign, name: str, value: float | str) -> Layers:
+    """Return the layers of a design with a thickness, or a material, which may be none."""
+    if value == "":
+        unsaid: dict[str, Any] = {name: None}
+        return replace(design.layers, **unsaid)
+    return with_value(design.layers, name, value, design.side)
+
+
+def _layer_material(layers: Layers, name: str, table: MaterialTable) -> ChoiceSpec:
+    chosen: str = getattr(layers, name) or ""
+    names = table.names if not chosen or chosen in table.names else (*table.names, chosen)
+    return ChoiceSpec(
+        f"layers.{name}",
+        label_of(Layers, name),
+        chosen,
+        (("", tr("not said")), *((material, capitalised(material)) for material in names)),
+        tr("What the layer is made of: by it, the change of the pressure is computed"),
+    )
 
 
 def _post_fields(design: InsoleDesign, region: str) -> Fields:

@@ -24,9 +24,11 @@ from insole_studio.features.design.parameters.correction_fields import field_spe
 from insole_studio.features.design.parameters.device_fields import (
     SLIDERS,
     device_group,
+    layers_group,
     shell_group,
     with_device_value,
     with_foot_share,
+    with_layers_value,
     with_post_value,
     with_shell_value,
     with_slid_value,
@@ -119,7 +121,8 @@ class ParametersPresenter:
             self._panel.show_groups([FieldGroup("", note=note)])
             return
         is_outline = self._tool_controller.tool.key == "outline"
-        make = _make_groups(design, self._expert_fields(design), outline_first=is_outline)
+        layers = layers_group(design, self._materials.table)
+        make = _make_groups(design, layers, self._expert_fields(design), outline_first=is_outline)
         device = [device_group(design, design.side)]
         if design.shell is not None:
             device.append(shell_group(design, self._materials.table))
@@ -352,7 +355,8 @@ class ParametersPresenter:
     def _edit_layers(self, name: str, value: Any) -> None:
         design = self._case.record.design
         if design is not None:
-            changed = replace(design, layers=with_value(design.layers, name, value, self._side))
+            layers = with_layers_value(design, name, value)
+            changed = replace(design, layers=layers)
             self._case.apply(changed, tr("Edit the layers"), f"layers:{name}")
 
     def _edit_outline(self, name: str, value: Any) -> None:
@@ -406,13 +410,13 @@ def _plane_group(plane: ReferencePlane | None) -> FieldGroup:
 
 
 def _make_groups(
-    design: InsoleDesign, expert_fields: Fields, *, outline_first: bool
+    design: InsoleDesign, layers: FieldGroup, expert_fields: Fields, *, outline_first: bool
 ) -> list[FieldGroup]:
     """Return the groups that are always shown: how the insole is made, and last the expert's."""
     side = design.side
     made = [
         FieldGroup(tr("Insole"), field_specs(design, "insole", side)),
-        FieldGroup(tr("Layers"), field_specs(design.layers, "layers", side)),
+        layers,
     ]
     outline = FieldGroup(tr("Outline"), field_specs(design.outline, "outline", side))
     own = (
