@@ -51,6 +51,8 @@ _BESIDE_PX = 0.25
 _CLOSED_PX = 31
 """Smaller gaps in the depth of a wall show the wall as well."""
 _UNEVEN_RAW, _UNEVEN_SHARE = 6.0, 0.1
+_BEYOND = 1.03
+"""Walls so little nearer or farther than those of a pattern tell its drift, too."""
 _DRIFT_PX = 0.05
 """A pattern that is off by so much costs a fifth of the accuracy."""
 
@@ -218,7 +220,8 @@ def find_drift(wall: InfraredWall, sensor: Sensor, reference: InfraredReference)
     Raises
     ------
     CalibrationError
-        If the reference is of another device, or the capture shows no flat wall.
+        If the reference is of another device, the capture shows no flat wall, or one nearer or
+        farther than those that the pattern was learnt from, where its distortion is a guess.
     """
     if reference.record.serial != sensor.serial:
         raise CalibrationError(
@@ -228,6 +231,7 @@ def find_drift(wall: InfraredWall, sensor: Sensor, reference: InfraredReference)
             serial=sensor.serial,
         )
     placed = _place(wall, sensor)
+    _check_distance(placed, reference)
     raw = reference.distorted(placed.ideal_raw)
     match = _match(placed, raw, reference)
     return Drift(
@@ -235,6 +239,23 @@ def find_drift(wall: InfraredWall, sensor: Sensor, reference: InfraredReference)
         _rms(_shifts_down_px(placed, raw, match, reference)),
         match.likeness,
     )
+
+
+def _check_distance(wall: _Wall, reference: InfraredReference) -> None:
+    figures = reference.record.figures
+    distance_mm = 1 / wall.fit.plane[2]
+    nearest_mm = figures.get("nearest_mm", 0.0)
+    farthest_mm = figures.get("farthest_mm", np.inf)
+    if not nearest_mm / _BEYOND < distance_mm < farthest_mm * _BEYOND:
+        raise CalibrationError(
+            "{capture} shows a wall {distance_mm:.0f} mm away, but the pattern was learnt from "
+            "walls at {nearest_mm:.0f} to {farthest_mm:.0f} mm, and says nothing of others; check "
+            "it by a wall between these.",
+            capture=wall.name,
+            distance_mm=distance_mm,
+            nearest_mm=nearest_mm,
+            farthest_mm=farthest_mm,
+        )
 
 
 def _rms(values: FloatArray) -> float:

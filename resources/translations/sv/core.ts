@@ -8536,6 +8536,10 @@
             <translation>{capture} behöver ett mätvärde i bildens mitt och sitt uppmätta avstånd; mät det, eller ta bort tagningen.</translation>
         </message>
         <message>
+            <source>{capture} shows a wall {distance_mm:.0f} mm away, but the pattern was learnt from walls at {nearest_mm:.0f} to {farthest_mm:.0f} mm, and says nothing of others; check it by a wall between these.</source>
+            <translation>{capture} visar en vägg {distance_mm:.0f} mm bort, men mönstret lärdes in från väggar på {nearest_mm:.0f} till {farthest_mm:.0f} mm och säger inget om andra; kontrollera det med en vägg däremellan.</translation>
+        </message>
+        <message>
             <source>{capture} shows {count} spheres of about {diameter_mm:g} mm, but the bar has 2; keep the space around them free and check the diameter.</source>
             <translation>{capture} visar {count} kulor på ungefär {diameter_mm:g} mm, men staven har 2; håll utrymmet kring dem fritt och kontrollera diametern.</translation>
         </message>

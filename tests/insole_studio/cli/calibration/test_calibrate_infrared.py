@@ -142,6 +142,19 @@ def test_one_wall_says_whether_the_pattern_still_holds(
     assert "shows another pattern" in last_line()
 
 
+@pytest.mark.parametrize("distance_mm", [530, 980])
+def test_a_wall_beyond_those_learnt_from_tells_no_drift(
+    distance_mm: float, learnt: Learnt, last_line: Callable[[], str], tmp_path: Path
+) -> None:
+    plane = wall(distance_mm, 1, 1)
+    walls = write_infrared_walls(tmp_path / "walls", DEVICE, learnt.pattern, [plane])
+
+    assert run(learnt.checking(walls, learnt.out)) == 1
+    said = last_line()
+    assert f"infrared_00.png shows a wall {distance_mm} mm away" in said
+    assert "learnt from walls at 620 to 880 mm" in said
+
+
 def test_a_shift_of_pattern_and_depth_along_the_rows_stays_unseen(
     learnt: Learnt, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
