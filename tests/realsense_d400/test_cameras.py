@@ -132,6 +132,10 @@ def test_a_recording_that_was_cut_off_or_is_none_is_told(tmp_path: Path) -> None
     record(camera("815"), whole, 2)
     cut.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
     other.write_text("no recording")
+    foreign = tmp_path / "foreign.db3"
+    record(camera("9", make=Make("Intel RealSense L515", "L500")), foreign, 2)
+    (found,) = list_cameras(RecordedCameras([foreign]))
+    assert "L515 9 is of another series" in (found.problem or "")
     for path in (cut, other):
         with pytest.raises(RealSenseError, match=f"{path.name} is no complete recording"):
             RecordedCameras([path])

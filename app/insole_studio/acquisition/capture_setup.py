@@ -135,6 +135,7 @@ class CaptureSetup:
         """
         known = self.known(opened.serial, view)
         if known is not None:
+            _check_kind(known.sensor, opened)
             return self._with_dots(known) if Capability.INFRARED in opened.capabilities else known
         faces = view_faces(view, self.system)
         sensor = opened.factory_sensor(faces)
@@ -190,6 +191,31 @@ class CaptureSetup:
             return same
         other = next((s for s in self.recorded.values() if s.serial == serial), None)
         return other and replace(other, faces=view_faces(view, self.system))
+
+
+def _check_kind(known: Sensor, opened: OpenSensor) -> None:
+    """Check that a calibration is for the frames that a sensor sends.
+
+    Raises
+    ------
+    InputError
+        When it is that of a sensor of another kind with the same serial number.
+    """
+    sends = opened.factory_sensor(known.faces)
+    one, other = ((s.depth_unit_mm, _depth_size(s)) for s in (known, sends))
+    if one != other:
+        raise InputError(
+            "Sensor {serial} is a {model}, but what is stored under its number was calibrated for "
+            "a {stored} with other depth pictures; undo that calibration, then calibrate the "
+            "sensor.",
+            serial=opened.serial,
+            model=opened.model,
+            stored=known.model,
+        )
+
+
+def _depth_size(sensor: Sensor) -> tuple[int, int]:
+    return sensor.depth_camera.width, sensor.depth_camera.height
 
 
 def _uncalibrated(sensor: Sensor) -> Message:

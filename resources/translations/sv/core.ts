@@ -2676,6 +2676,10 @@
             <translation>Sett bakifrån, vinklar dubbelt så stora. Blått: akillessena; brunt: hälben; grått: fotsulans normal (streckad), skanningens lodlinje (prickad). En vinkel är 0 där dess två linjer är en. Valgus: hälen lutar utåt under benet; medial: benet lutar mot den andra foten. I filer är valgus och medial över 0; för framfoten är varus det.</translation>
         </message>
         <message>
+            <source>Sensor {serial} is a {model}, but what is stored under its number was calibrated for a {stored} with other depth pictures; undo that calibration, then calibrate the sensor.</source>
+            <translation>Sensorn {serial} är en {model}, men det som finns sparat under dess nummer kalibrerades för en {stored} med andra djupbilder; ångra den kalibreringen och kalibrera sedan sensorn.</translation>
+        </message>
+        <message>
             <source>Sensor {serial} is a {model}, which measures no disparity that walls could correct; use it as its factory calibrated it.</source>
             <translation>Sensorn {serial} är en {model}, som inte mäter någon disparitet som väggar kan korrigera; använd den som fabriken kalibrerade den.</translation>
         </message>

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +14,14 @@ from capture_samples import NothingStored, depth_frames, footage
 from realsense_samples import COLOR, FRAMES, camera
 
 from insole_core.calibration.markers.reference_file import load_reference_system
+from insole_core.errors import InputError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.geometry.side import Side
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest
 from insole_core.resources import resource_path
 from insole_core.sensing.pinhole_camera import PinholeCamera
+from insole_core.sensing.sensor import Sensor, nominal_kinect
 from insole_studio.acquisition.capture_plan import make_plan
 from insole_studio.acquisition.capture_runner import (
     CaptureCallbacks,
@@ -43,6 +45,7 @@ from insole_studio.acquisition.sensor_port import (
     require,
 )
 from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.stabilisation import StabilisationRule
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION
@@ -278,6 +281,31 @@ def test_a_recorded_session_of_both_kinds_is_played_by_emulated_cameras(
     view = read_session(ours.draft.folder).views[1]
     assert any(np.array_equal(frame.image, view.read_depth(index)) for index in range(4))
     assert [one.serial for one in source.rig().find().sensors] == ["A1", "815", "816"]
+
+
+def test_what_is_stored_of_a_kinect_is_not_for_a_realsense_of_its_number(
+    place: Callable[..., Place],
+) -> None:
+    class Stored(NothingStored):
+        def load(self, _serial: str) -> Sensor | None:
+            return nominal_kinect("815")
+
+    ours = place()
+    ours.setup = CaptureSetup(ours.setup.system, Stored())
+    with pytest.raises(InputError, match="815 is a realsense-d415, but what is stored under its"):
+        ours.capture("left")
+
+
+def test_depth_that_is_empty_everywhere_is_told(place: Callable[..., Place]) -> None:
+    blind = camera("815")
+    blind.depth = [np.zeros_like(image) for image in blind.depth]
+    ours = place(blind)
+    plan = make_plan([("left", "815")], frames=2)
+    plan = replace(plan, settle=StabilisationRule(most_s=0.2))
+    ours.sensors = open_sensors(ours.rig, plan.serials)
+    callbacks = CaptureCallbacks(report=ours.told.append)
+    warnings = CaptureRunner(ours.sensors, plan, ours.setup, ours.draft, callbacks).run()
+    assert any("View left measured depth in only 0.0% of its picture" in one for one in warnings)
 
 
 def test_the_pair_of_infrared_pictures_is_recorded_where_it_is_asked_for(
