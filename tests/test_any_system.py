@@ -74,6 +74,7 @@ def test_lines_of_files_end_the_same_on_every_system() -> None:
     assert [
         f"{name}:{node.lineno}"
         for name, text in sources()
+        if "write_text" in text or "open(" in text  # to parse the others takes a second
         for node in ast.walk(ast.parse(text))
         if isinstance(node, ast.Call) and writes(node) and "newline" not in words(node)
     ] == []

@@ -286,7 +286,7 @@ def test_report_picture_and_surface(plain, padded, tmp_path: Path):
 def test_a_very_fine_scan(plain):
     """A scan of many triangles against an insole: the same figures as of the coarse one."""
     fine = plain
-    while len(fine.triangles) < 400_000:
+    while len(fine.triangles) < 200_000:
         vertices, triangles = trimesh.remesh.subdivide(fine.vertices, fine.triangles)
         fine = TriangleMesh(np.asarray(vertices), np.asarray(triangles, np.int32))
     result = compare_surfaces(plain, fine.transformed(NEAR))

@@ -53,6 +53,7 @@ BLOCK_MM = (80.0, 110.0, 26.0)
 TABS = 6
 """For which there is room round the piece."""
 NAMES = ("linuxcnc", "grbl", "mach3")
+PITCH_MM = 0.5
 GOUGE_MM, SURPLUS_MM = 0.02, 0.05
 THICK = 0.8
 """Share of the thickness asked for that tabs have, or it is told."""
@@ -100,7 +101,7 @@ def planned(name: str = "linuxcnc", form: str = "arched", *, both_sides: bool) -
     return plan_milling([solid(**{form: True})], BLOCK_MM, machine(name), both_sides=both_sides)
 
 
-def left_of(plan: MillingPlan, text: str, pitch_mm: float = 0.4) -> Removal:
+def left_of(plan: MillingPlan, text: str, pitch_mm: float = PITCH_MM) -> Removal:
     tools = {c.number: Tool(c.shape, c.diameter_mm / 2) for c in plan.machine.cutters}
     x, y, z = origin_mm(plan.machine, plan.block_mm)
     removal = Removal(
@@ -150,7 +151,7 @@ def test_one_side_is_left_as_asked_and_held_by_tabs():
     tabs, count = scipy.ndimage.label(ring & (removal.heights > 0.01), np.ones((3, 3)))
     assert count == how.contour.tabs
     assert removal.heights[ring].max() == pytest.approx(how.contour.tab_height_mm, abs=0.01)
-    across = [np.ptp(np.argwhere(tabs == n + 1), axis=0).max() * 0.4 for n in range(count)]
+    across = [np.ptp(np.argwhere(tabs == n + 1), axis=0).max() * PITCH_MM for n in range(count)]
     assert all(how.contour.tab_length_mm - 1 < size < 16 for size in across)
     assert held(piece, removal, how) == how.contour.tabs
 
@@ -224,7 +225,7 @@ def test_both_sides_meet_in_the_turned_block():
     assert (thick > 0.01).sum() < 0.8 * ring.sum()
     # The holes are bored through, at the same places seen from either side.
     for y in (how.both_sides.dowel_inset_mm, BLOCK_MM[1] - how.both_sides.dowel_inset_mm):
-        hole = first[int(BLOCK_MM[0] / 2 / 0.4), int(y / 0.4)]
+        hole = first[int(BLOCK_MM[0] / 2 / PITCH_MM), int(y / PITCH_MM)]
         assert hole == pytest.approx(0.0, abs=0.01)
 
 
@@ -265,8 +266,8 @@ def test_the_origin_and_the_machines_axes_change_the_numbers_only():
     assert along_x.origin.at == "middle"
     assert along_x.origin.height == "top"
     pieces = []
-    for how in (along_y, along_x):
-        plan = plan_milling([solid()], BLOCK_MM, how)
+    for name, how in (("linuxcnc", along_y), ("mach3", along_x)):
+        plan = replace(planned(name, "groove", both_sides=False), machine=how)
         pieces.append(left_of(plan, gcode(plan), 1.0).heights)
     assert np.abs(pieces[0] - pieces[1]).max() < 0.01
 
@@ -477,7 +478,7 @@ def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
         (Side.RIGHT, True, "from the heel in the middle"),
     ):
         feet = [FootInBlock(side, turned, "26-7" if turned else "")]
-        (said,) = plan_milling([solid(groove=True)], BLOCK_MM, machine(), feet=feet).notes
+        (said,) = plan_milling([solid(groove=True)], BLOCK_MM, how, feet=feet).notes
         assert words in said
         assert said.startswith("26-7 right: ") == turned
     deepest = float(np.nanmax(plan.left_over[0].height_mm))
@@ -725,7 +726,7 @@ def test_a_full_disk_leaves_the_earlier_program(tmp_path, monkeypatch):
     def full(*_arguments, **_options):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    plan = plan_milling([solid()], BLOCK_MM, machine())
+    plan = planned("linuxcnc", "groove", both_sides=False)
     path = tmp_path / "piece.nc"
     path.write_text("(earlier)")
     block, places = Block("EVA", BLOCK_MM), ExportPaths(tmp_path / "piece.stl", programs=(path,))
