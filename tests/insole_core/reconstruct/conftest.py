@@ -17,7 +17,7 @@ from insole_core.reconstruct.views.measured_view import (
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 
-KEPT_VIEWS = 12
+KEPT_VIEWS = 6
 
 
 @pytest.fixture(scope="session")
