@@ -82,17 +82,21 @@ def dose_curve(
     grounds: Iterable[tuple[float, Ground]],
     region: str,
     progress: Progress = SILENT,
+    *,
+    assumed: Assumptions | None = None,
 ) -> DoseCurve | None:
     """Compute the change in a region by the dose.
 
     Parameters
     ----------
     known
-        With the usual assumptions, whose old pressures are compared with.
+        With these assumptions, whose old pressures are compared with.
     grounds
         Doses in mm, and what the foot stands on with each.
     region
         One of `GROUPS`.
+    assumed
+        By default those for anybody.
 
     Returns
     -------
@@ -110,7 +114,7 @@ def dose_curve(
     pressed = known.new
     for dose, ground in grounds:
         progress.step(min(len(doses) / _DOSES, 1.0), "Loading the foot")
-        pressed = loading.pressed(ground, Assumptions(), pressed.mpa)
+        pressed = loading.pressed(ground, assumed or Assumptions(), pressed.mpa)
         new = replace(known, grounds=(known.grounds[0], ground), new=pressed)
         percent = new.of(region).peak_percent
         if percent is None:

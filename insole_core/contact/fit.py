@@ -60,8 +60,8 @@ def fit_tissue(loading: Loading, laid: PressureMap, progress: Progress = SILENT)
     Raises
     ------
     InputError
-        When the map carries another load than the posture, as one of a step does, or lies beside
-        the foot.
+        When the map carries another load than the posture, as one of a step does, looks like one
+        of the other foot, or lies beside the foot.
     Cancelled
     """
     sole, floor = loading.sole, shoe_floor(loading.sole)
@@ -76,6 +76,7 @@ def fit_tissue(loading: Loading, laid: PressureMap, progress: Progress = SILENT)
     points = sole.field.nodes[:, :2]
     kpa = np.nan_to_num(laid.at(points)).reshape(sole.known.shape)
     begun = _as_loaded(loading, kpa, measured_n)
+    _check_side(loading, laid, kpa, begun)
     seen = np.logical_or.reduce([inside(sole, name) for name in FITTED])
     scale = float((kpa[seen] ** 2).sum())
     if scale == 0:
@@ -104,6 +105,21 @@ def fit_tissue(loading: Loading, laid: PressureMap, progress: Progress = SILENT)
     }
     loaded = {name: pair for name, pair in peaks.items() if pair[0] >= LOADED_KPA}
     return Fitted(replace(begun, tissue=begun.tissue.scaled(heel=heel, forefoot=forefoot)), loaded)
+
+
+def _check_side(loading: Loading, laid: PressureMap, kpa: FloatArray, begun: Assumptions) -> None:
+    """Refuse a map whose mirror image, about the load's centre, is more like this foot's."""
+    sole = loading.sole
+    usual = as_sensed(sole, loading.pressed(shoe_floor(sole), begun).mpa)
+    centre_mm = begun.moved_mm[0] * sole.foot.side.medial_sign
+    points = sole.field.nodes[:, :2] * [-1.0, 1.0] + [2 * centre_mm, 0.0]
+    mirrored = np.nan_to_num(laid.at(points)).reshape(kpa.shape)
+    own, other = (float(((usual - one)[sole.known] ** 2).sum()) for one in (kpa, mirrored))
+    if other < own:
+        raise InputError(
+            "The map looks like one of the other foot; lay the map of the {side} foot.",
+            side=sole.foot.side,
+        )
 
 
 def _as_loaded(loading: Loading, kpa: FloatArray, measured_n: float) -> Assumptions:

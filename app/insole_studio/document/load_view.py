@@ -16,6 +16,7 @@ from insole_core.contact.change import (
 )
 from insole_core.contact.designs import Shoe
 from insole_core.contact.dose import Dose, DoseCurve, dose_curve, dosed, with_dose
+from insole_core.contact.fit import Fitted, fit_tissue
 from insole_core.contact.load_case import Posture
 from insole_core.contact.stance import Ground, Sole, check_weight, notes_of_weight
 from insole_core.errors import InsoleError
@@ -25,6 +26,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.pads_on_surface import apply_pads
 from insole_core.messages import Message
+from insole_core.pressure.laid_map import PressureMap
 from insole_core.progress import Progress
 from insole_core.recording.session import WEIGHT_BEARING
 from insole_core.workflows.foot_landmarks import Marked, landmarks_of
@@ -48,11 +50,14 @@ class LoadQuestion:
     posture
     variant
         Whose insole the foot stood on before; empty for a flat shoe.
+    is_fitted
+        Whether the tissue is fitted to the map that lies under the foot.
     """
 
     weight_kg: float
     posture: Posture = Posture.STANDING
     variant: str = ""
+    is_fitted: bool = False
 
 
 @dataclass(frozen=True)
@@ -84,6 +89,7 @@ class _Task:
     old_design: InsoleDesign | None
     shoe: Shoe
     weight_bearing: str
+    laid: PressureMap | None
     is_at_rest: bool
 
     @property
@@ -98,12 +104,34 @@ class _Task:
     def knows_material(self) -> bool:
         return not self.shoe.assumed(self.design, self.old_design)
 
+    def fitted(self, before: _Found | None, progress: Progress) -> Fitted | None:
+        """Return what the map tells of the foot: as before, or fitted anew."""
+        if self.laid is None:
+            return None
+        loading = self.loading
+        if before is not None and before.laid is self.laid and before.change.loading == loading:
+            return before.fitted
+        return fit_tissue(loading, self.laid, progress)
+
     def grounds(self, builder: InsoleBuilder) -> tuple[Ground, Ground]:
         sole, old = self.sole, self.old_design
         after = self.shoe.insole(sole, self.design, self.contact)
         if old is None:
             return self.shoe.floor(sole, self.design), after
         return self.shoe.insole(sole, old, builder.insole(self.foot, old).contact), after
+
+
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """A change, and the fit to a map that it was computed with."""
+
+    change: Change
+    fitted: Fitted | None
+    laid: PressureMap | None
+
+    @property
+    def assumed(self) -> Assumptions:
+        return Assumptions() if self.fitted is None else self.fitted.assumed
 
 
 class LoadView(QObject):
@@ -128,6 +156,7 @@ class LoadView(QObject):
         """Of which a change is shown or computed; None while nothing can be."""
         self._is_computing, self._is_late = False, False
         """Whether a change is being computed, and whether the insole has changed meanwhile."""
+        self._found: _Found | None = None
         self.change: Change | None = None
         self.limits: PressureChange | None = None
         """None while they are computed."""
@@ -136,7 +165,7 @@ class LoadView(QObject):
         self.dose: Dose | None = None
         """That reaches the target; None too where none on the curve does."""
         self.target: Target | None = None
-        self._limited: tuple[_Task, Change] | None = None
+        self._limited: tuple[_Task, _Found] | None = None
         """Of what the limits were computed."""
         self._problem = ""
         surface.changed.connect(self._refresh)
@@ -178,6 +207,11 @@ class LoadView(QObject):
         return *of_foot, *shoe.assumed(self._case.shown.design, self._old_design())
 
     @property
+    def fitted(self) -> Fitted | None:
+        """What the map under the foot has told of it; None where it is not asked."""
+        return None if self._found is None else self._found.fitted
+
+    @property
     def untold(self) -> tuple[str, ...]:
         """Names of the regions that have no colour, as nothing can be told of them."""
         if self.limits is not None:
@@ -208,7 +242,11 @@ class LoadView(QObject):
         shoe = Shoe(self._materials.table)
         record = case.record.current
         weight = WEIGHT_BEARING[0] if record is None else record.source.weight_bearing
-        return _Task(question, foot, case.record, design, still, old, shoe, weight, is_at_rest)
+        is_fitted = record is not None and question.is_fitted
+        laid = record.plantar.pressure if record is not None and is_fitted else None
+        return _Task(
+            question, foot, case.record, design, still, old, shoe, weight, laid, is_at_rest
+        )
 
     def _old_design(self) -> InsoleDesign | None:
         """Return the design of the variant that is compared with; None for a flat shoe."""
@@ -219,17 +257,21 @@ class LoadView(QObject):
 
     def _start(self, task: _Task) -> None:
         self._is_computing, self._is_late = True, False
-        builder, before = self._surface.builder, self.change
+        builder, before = self._surface.builder, self._found
 
-        def compute(_progress: Progress) -> Change:
+        def compute(progress: Progress) -> _Found:
             check_weight(task.weight_bearing)
             old, new = task.grounds(builder)
-            return changed(task.loading, old, new, Assumptions(), before)
+            fitted = task.fitted(before, progress)
+            assumed = Assumptions() if fitted is None else fitted.assumed
+            start = None if before is None else before.change
+            change = changed(task.loading, old, new, assumed, start)
+            return _Found(change, fitted, task.laid)
 
-        def take(change: Change) -> None:
+        def take(found: _Found) -> None:
             self._is_computing = False
-            self._show(change)
-            self._go_on(task, change)
+            self._show(found)
+            self._go_on(task, found)
 
         def fail(error: Exception) -> None:
             self._is_computing = False
@@ -240,32 +282,36 @@ class LoadView(QObject):
 
         self._jobs.start(CHANNEL, compute, take, fail)
 
-    def _go_on(self, task: _Task, change: Change) -> None:
+    def _go_on(self, task: _Task, found: _Found) -> None:
         """Compute a newer insole, or the limits of this one."""
         if self._is_late:
             self._refresh()
         elif task.is_at_rest:
-            self._find_limits(task, change)
+            self._find_limits(task, found)
 
-    def _find_limits(self, task: _Task, change: Change) -> None:
+    def _find_limits(self, task: _Task, found: _Found) -> None:
+        change = found.change
+
         def compute(progress: Progress) -> PressureChange:
             return pressure_change(
                 change.loading,
                 *change.grounds,
                 material_is_known=task.knows_material,
+                assumed=found.assumed,
                 known=change,
                 progress=progress,
             )
 
         def take(told: PressureChange) -> None:
-            self.limits, self._limited = told, (task, change)
+            self.limits, self._limited = told, (task, found)
             self.changed.emit()
             self.told.emit()
-            self._find_dose(task, change)
+            self._find_dose(task, found)
 
         self._jobs.start(CHANNEL, compute, take, self._keep)
 
-    def _find_dose(self, task: _Task, change: Change) -> None:
+    def _find_dose(self, task: _Task, base_on: _Found) -> None:
+        change = base_on.change
         target, base = self.target, self._surface.base
         pad = None if target is None else task.design.found(target.pad_id, Pelott)
         if target is None or pad is None or base is None:
@@ -277,7 +323,12 @@ class LoadView(QObject):
         def compute(progress: Progress) -> tuple[DoseCurve | None, Dose | None]:
             grounds = ((dose, ground(design)) for dose, design in dosed(task.design, pad))
             curve = dose_curve(
-                change.loading, change, grounds, target.region, progress.part(0.0, 0.4)
+                change.loading,
+                change,
+                grounds,
+                target.region,
+                progress.part(0.0, 0.4),
+                assumed=base_on.assumed,
             )
             height_mm = None if curve is None else curve.reaching(target.percent)
             if height_mm is None:
@@ -287,6 +338,7 @@ class LoadView(QObject):
                 change.grounds[0],
                 ground(with_dose(task.design, pad, height_mm)),
                 material_is_known=task.knows_material,
+                assumed=base_on.assumed,
                 progress=progress.part(0.4, 1.0),
             )
             return curve, Dose(height_mm, told.regions[target.region])
@@ -309,8 +361,9 @@ class LoadView(QObject):
         self._is_computing = False
         self._show(None)
 
-    def _show(self, change: Change | None, problem: str = "") -> None:
-        self.change, self.limits, self._problem = change, None, problem
+    def _show(self, found: _Found | None, problem: str = "") -> None:
+        self._found, self.change = found, None if found is None else found.change
+        self.limits, self._problem = None, problem
         self.curve, self.dose, self._limited = None, None, None
         self.changed.emit()
         self.told.emit()

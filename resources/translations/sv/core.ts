@@ -3596,6 +3596,10 @@
             <translation>Tryckbilden visar inte om den är av en vänster eller höger fot; kontrollera att den är av den som är {side}.</translation>
         </message>
         <message>
+            <source>The map looks like one of the other foot; lay the map of the {side} foot.</source>
+            <translation>Tryckbilden ser ut som en av den andra foten; lägg en av {side} fot.</translation>
+        </message>
+        <message>
             <source>The marker {marker} is seen {distances} from its place by {views} and does not count; see whether it was moved.</source>
             <translation>Markören {marker} ses {distances} från sin plats av {views} och räknas inte; se om den flyttats.</translation>
         </message>
@@ -6440,6 +6444,10 @@
             <translation>den innehåller inga punkter med x, y och z</translation>
         </message>
         <message>
+            <source>it holds no scene</source>
+            <translation>den innehåller ingen scen</translation>
+        </message>
+        <message>
             <source>it holds zero bytes, which no text does</source>
             <translation>den innehåller nollbyte, vilket ingen text gör</translation>
         </message>
@@ -6626,6 +6634,10 @@
         <message>
             <source>its parts do not fit together</source>
             <translation>dess delar passar inte ihop</translation>
+        </message>
+        <message>
+            <source>its scene cannot be read</source>
+            <translation>dess scen kan inte läsas</translation>
         </message>
         <message>
             <source>its sensor.json lists the faces {faces}, but the reference system "{system}" has the faces {system_faces}</source>
@@ -9702,6 +9714,14 @@
         <message>
             <source>{path} is open on another computer, {host}.</source>
             <translation>{path} är öppen på en annan dator, {host}.</translation>
+        </message>
+        <message>
+            <source>{path} is put together from other files; export it again as one whole.</source>
+            <translation>{path} är sammansatt av andra filer; exportera den på nytt som en helhet.</translation>
+        </message>
+        <message>
+            <source>{path} is read by the library {library}, which is not installed; export the scan as .glb or .obj.</source>
+            <translation>{path} läses av biblioteket {library}, som inte är installerat; exportera skanningen som .glb eller .obj.</translation>
         </message>
         <message>
             <source>{path} is read to make the result, which would replace it; give the result another name.</source>

@@ -12,6 +12,10 @@
             <translation>4:e huvudet</translation>
         </message>
         <message>
+            <source>A map of the bare foot on a plate, in this posture</source>
+            <translation>En tryckbild av den nakna foten på en platta, i denna ställning</translation>
+        </message>
+        <message>
             <source>Add the relief of the library under this head; it can be undone and changed</source>
             <translation>Lägg bibliotekets avlastning under huvudet; den kan ångras och ändras</translation>
         </message>
@@ -70,6 +74,14 @@
         <message>
             <source>Every head above it is relieved.</source>
             <translation>Varje huvud över gränsen är avlastat.</translation>
+        </message>
+        <message>
+            <source>Fit the tissue to the map under the foot</source>
+            <translation>Anpassa vävnaden till tryckbilden under foten</translation>
+        </message>
+        <message>
+            <source>Fitted to the map. Where the fit did not look ({names}), it is off by {error} %.</source>
+            <translation>Anpassad till tryckbilden. Där anpassningen inte tittade ({names}) är den {error} % fel.</translation>
         </message>
         <message>
             <source>Footprint</source>

@@ -51,3 +51,15 @@ def test_a_map_of_walking_is_refused(loading: Loading, plate: PressureMap) -> No
     walking = replace(plate, kpa=2.3 * plate.kpa)
     with pytest.raises(InputError, match="walking"):
         fit_tissue(loading, walking)
+
+
+def test_a_map_of_the_other_foot_is_refused(loading: Loading, plate: PressureMap) -> None:
+    centre_mm = 2.0 * loading.sole.foot.side.medial_sign
+    middle = plate.placement
+    other = replace(
+        plate,
+        kpa=plate.kpa[:, ::-1],
+        placement=replace(middle, x_mm=2 * centre_mm - middle.x_mm),
+    )
+    with pytest.raises(InputError, match="other foot"):
+        fit_tissue(loading, other)

@@ -7,13 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 from pointing import LEFT
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from insole_core.contact.change import SENTENCE
+from insole_core.contact.change import SENTENCE, Change
 from insole_core.imprints.form import Form
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.outline import Outline
+from insole_core.pressure.laid_map import Placement, PressureMap
+from insole_core.workflows.plantar_pressure import with_pressure
 from insole_core.workflows.starting_design import mirrored_foot
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.design.correction_names import name_of
@@ -28,6 +30,14 @@ BESIDE_FOOT = Outline(
 
 def act(app: Application, key: str) -> None:
     app.window.actions_by_key[key].trigger()
+
+
+def measured(change: Change) -> PressureMap:
+    """The pressures on the floor as a plate would show them."""
+    field = change.sole.field
+    middle = [float(along[0] + along[-1]) / 2 for along in (field.x_mm, field.y_mm)]
+    kpa = 1000 * change.old.mpa[::-1]
+    return PressureMap(kpa, (field.step_mm, field.step_mm), Placement(*middle))
 
 
 def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
@@ -113,6 +123,23 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     assert {row.cells[1] for row in dialog.table.rows} == {"cannot tell"}
     assert dialog.problem.text()
     app.case.undo()
+
+    # Fitted to a map under the foot, with its error where the fit did not look.
+    assert not dialog.fit.isEnabled()
+    foot = app.case.record.current
+    assert foot is not None
+    app.case.apply(app.case.record.with_foot(with_pressure(foot, measured(before))), "Lay a map")
+    QTest.mouseClick(dialog.fit, LEFT, pos=QPoint(8, dialog.fit.height() // 2))
+    settle()
+    assert load.fitted is not None, load.problem
+    assert f"off by {load.fitted.error_percent:.0f} %" in dialog.fitted.text()
+    assert load.limits is not None
+    assert load.limits.assumed is load.fitted.assumed
+    app.case.undo()
+    assert not dialog.fit.isChecked()
+    settle()
+    assert load.fitted is None
+    assert dialog.fitted.isHidden()
 
     # Of a foot that was recorded with weight on it, nothing is told; of one with a part, that.
     for weight, said in (("full", dialog.problem), ("semi", dialog.assumed)):

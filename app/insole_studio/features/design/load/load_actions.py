@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.contact.change import GROUPS, Told
 from insole_core.contact.dose import Dose
+from insole_core.contact.fit import Fitted
 from insole_core.insole.elements import Pelott
 from insole_studio.document.load_view import LoadView, Target
 from insole_studio.features.design.actions.view_actions import SideBySideActions
@@ -108,6 +109,7 @@ class LoadActions:
         if self._dialog is not None and foot is not None:
             names = [one.name for one in foot.variants if one.name != foot.chosen]
             self._dialog.show_variants(names)
+            self._dialog.offer_fit(foot.plantar.pressure is not None)
             self._load.ask(self._dialog.question)
 
     def _show_told(self) -> None:
@@ -119,6 +121,7 @@ class LoadActions:
         else:
             dialog.problem.say(load.problem)
         dialog.assumed.say_all(load.notes)
+        dialog.fitted.say(_fit_text(load.fitted))
         self._show_dose(dialog)
         change = load.change
         if change is None:
@@ -130,6 +133,19 @@ class LoadActions:
         dialog.reasons.say_all(_reasons(told))  # before the rows, which make room for all
         old, new = (localised(mm2 / 100, ".0f") for mm2 in change.areas_mm2)
         dialog.show_rows(rows, fill(tr("Contact {old} → {new} cm²"), old=old, new=new))
+
+
+def _fit_text(fitted: Fitted | None) -> str:
+    """Return how well the model, fitted to the map, tells regions that the fit did not see."""
+    if fitted is None or fitted.error_percent is None:
+        return ""
+    names = ", ".join(_regions()[name] for name in fitted.held_out)
+    error = localised(fitted.error_percent, ".0f")
+    return fill(
+        tr("Fitted to the map. Where the fit did not look ({names}), it is off by {error} %."),
+        error=error,
+        names=names,
+    )
 
 
 def _dose_text(dose: Dose, pad: str, percent: float) -> str:

@@ -52,6 +52,10 @@ class LoadDialog(QDialog):
         self.weight.allow_unknown(WEIGHT_KG.least)
         self.posture = ComboBox([(posture.value, text) for posture, text in _postures()])
         self.against = ComboBox([(_FLAT, tr("a flat shoe"))])
+        self.fit = QCheckBox(tr("Fit the tissue to the map under the foot"))
+        self.fit.setToolTip(tr("A map of the bare foot on a plate, in this posture"))
+        self.fit.setEnabled(False)
+        self.fitted = MessageLabel("quiet")
         self.table = RowTable(
             [tr("Region"), tr("Peak pressure"), tr("Between (95 %)")], sorts=False
         )
@@ -79,6 +83,7 @@ class LoadDialog(QDialog):
         self.go_on.clicked.connect(self._begin)
         for field in (self.weight, self.posture, self.against, self.region, self.percent):
             field.edited.connect(self._ask)
+        self.fit.toggled.connect(self._ask)
 
     @property
     def is_read(self) -> bool:
@@ -91,7 +96,14 @@ class LoadDialog(QDialog):
         if not self.is_read or self.weight.value() not in WEIGHT_KG:
             return None
         posture = Posture(self.posture.currentData())
-        return LoadQuestion(self.weight.value(), posture, self.against.currentData())
+        is_fitted = self.fit.isChecked()
+        return LoadQuestion(self.weight.value(), posture, self.against.currentData(), is_fitted)
+
+    def offer_fit(self, has_map: bool) -> None:
+        """Offer to fit the tissue where a map lies under the foot."""
+        if not has_map:
+            self.fit.setChecked(False)
+        self.fit.setEnabled(has_map)
 
     def show_variants(self, names: Sequence[str]) -> None:
         """Offer these variants to compare with, and the flat shoe."""
@@ -167,6 +179,7 @@ class LoadDialog(QDialog):
             (tr("Change there"), self.percent),
         ):
             form.addRow(label, field)
+        form.addRow(self.fit)
         mark_labels(form)
         sentence = QLabel(translate_core_message(SENTENCE))
         sentence.setWordWrap(True)
@@ -175,8 +188,8 @@ class LoadDialog(QDialog):
         layout.setSpacing(12)
         layout.addLayout(form)
         for part in (
-            self.problem, self.table, self.reasons, self.area, self.dose, self.chart, self.assumed,
-            sentence,
+            self.problem, self.fitted, self.table, self.reasons, self.area, self.dose, self.chart,
+            self.assumed, sentence,
         ):  # fmt: skip
             layout.addWidget(part)
         return page
