@@ -152,6 +152,9 @@ MESH_FORMATS: Final = (
         name="GLB", endings=(".glb", ".gltf"), rank=3, begins_with=(b"glTF",),
         reader="gltf.read_gltf",
     ),
+    MeshFormat(
+        name="USDZ", endings=(".usdz",), rank=10, is_archive=True, reader="usd.read_usdz"
+    ),
     MeshFormat(name="COLLADA", endings=(".dae",), rank=4, reader="dae.read_dae"),
     MeshFormat(
         name="OFF", endings=(".off",), role="solid", names_nobody=True, rank=7,

@@ -56,6 +56,13 @@ def read_raw(source: ScanContent) -> RawSurface:
             path=source.path,
             format=source.suffix[1:].upper(),
         ) from error
+    except ModuleNotFoundError as error:
+        raise InputError(
+            "{path} is read by the library {library}, which is not installed; export the scan as "
+            ".glb or .obj.",
+            path=source.path,
+            library=error.name or "",
+        ) from error
     except _UNREADABLE as error:
         raise unreadable(source, _reason(error)) from error
 

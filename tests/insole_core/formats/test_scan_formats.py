@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import sys
 import zipfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -389,3 +390,85 @@ def test_a_ply_with_quads_triangles_and_other_properties(tmp_path, encoding):
     mesh = read_mesh(tmp_path / "box.ply").mesh
     assert mesh.is_closed
     assert mesh.volume_mm3 == pytest.approx(260 * 100 * 90)
+
+
+def write_usdz(mesh: TriangleMesh, path: Path, *, metres: float | None, more: str = "") -> None:
+    """A scan as phones write it: lying on its back, y up, a texture, corners of their own."""
+    usd, geometry, shade = (pytest.importorskip(f"pxr.{n}") for n in ("Usd", "UsdGeom", "UsdShade"))
+    sdf = pytest.importorskip("pxr.Sdf")
+    scene = path.with_suffix(".usdc")
+    stage = usd.Stage.CreateNew(str(scene))
+    geometry.SetStageUpAxis(stage, geometry.Tokens.y)
+    if metres is not None:
+        geometry.SetStageMetersPerUnit(stage, metres)
+    root = geometry.Xform.Define(stage, "/Scan")
+    root.AddTranslateOp().Set((3.0, 0.0, 1.0))
+    surface = geometry.Mesh.Define(stage, "/Scan/Foot")
+    scale = 0.001 / (metres or 1.0)
+    surface.CreatePointsAttr((scale * mesh.vertices - [3.0, 0.0, 1.0]).astype(np.float32))
+    surface.CreateFaceVertexCountsAttr(np.full(len(mesh.triangles), 3))
+    surface.CreateFaceVertexIndicesAttr(mesh.triangles.ravel())
+    corners = geometry.PrimvarsAPI(surface).CreatePrimvar(
+        "st", sdf.ValueTypeNames.TexCoord2fArray, geometry.Tokens.faceVarying
+    )
+    corners.Set(halves(mesh)[0][mesh.triangles.ravel()].astype(np.float32))
+    material = shade.Material.Define(stage, "/Scan/Material")
+    shader = shade.Shader.Define(stage, "/Scan/Material/Surface")
+    picture = shade.Shader.Define(stage, "/Scan/Material/Picture")
+    shader.CreateIdAttr("UsdPreviewSurface")
+    picture.CreateIdAttr("UsdUVTexture")
+    picture.CreateInput("file", sdf.ValueTypeNames.Asset).Set("./textures/foot.png")
+    color = picture.CreateOutput("rgb", sdf.ValueTypeNames.Float3)
+    shader.CreateInput("diffuseColor", sdf.ValueTypeNames.Color3f).ConnectToSource(color)
+    material.CreateSurfaceOutput().ConnectToSource(
+        shader.CreateOutput("surface", sdf.ValueTypeNames.Token)
+    )
+    shade.MaterialBindingAPI.Apply(surface.GetPrim()).Bind(material)
+    if more:
+        stage.GetRootLayer().subLayerPaths.append(more)
+    stage.GetRootLayer().Save()
+    write_picture(path.with_suffix(".png"))
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.write(scene, "foot.usdc")
+        archive.write(path.with_suffix(".png"), "textures/foot.png")
+    scene.unlink()
+    path.with_suffix(".png").unlink()
+
+
+@pytest.mark.parametrize(
+    ("metres", "unit"), [(1.0, "m"), (0.01, "cm"), (0.001, "mm"), (0.5, "m"), (None, "m")]
+)
+def test_a_usdz_of_a_phone_keeps_colours_unit_and_place(small_foot, tmp_path, metres, unit):
+    path = tmp_path / "scan.usdz"
+    write_usdz(small_foot, path, metres=metres)
+    read = read_mesh(path)
+    assert read.unit == unit
+    assert largest_distance_mm(read.mesh, small_foot) < 2e-2
+    assert share_of_right_colors(read.mesh, small_foot) > 0.98
+    raw = read_raw(file_content(path))
+    assert raw.unit == (None if metres is None else unit)
+
+
+def test_a_usdz_reads_no_file_beside_it_and_what_is_damaged_is_told(small_foot, tmp_path):
+    path = tmp_path / "scan.usdz"
+    write_usdz(small_foot, path, metres=1.0, more=str(tmp_path / "other.usda"))
+    with pytest.raises(InputError, match="put together from other files"):
+        read_raw(file_content(path))
+    for content in (b"PXR-USDC" + bytes(200), b"#usda 1.0\ndef Mesh {", b""):
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("foot.usdc" if content.startswith(b"PXR") else "foot.usda", content)
+        with pytest.raises(InputError, match="damaged or cut off"):
+            read_raw(file_content(path))
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("readme.txt", "nothing")
+    with pytest.raises(InputError, match="holds no scene"):
+        read_raw(file_content(path))
+
+
+def test_a_usdz_without_its_library_says_what_to_do(small_foot, tmp_path, monkeypatch):
+    path = tmp_path / "scan.usdz"
+    write_usdz(small_foot, path, metres=1.0)
+    monkeypatch.setitem(sys.modules, "pxr", None)
+    monkeypatch.delitem(sys.modules, "insole_core.formats.usd", raising=False)
+    with pytest.raises(InputError, match=r"library pxr, which.*export the scan as \.glb"):
+        read_raw(file_content(path))
