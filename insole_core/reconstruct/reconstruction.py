@@ -303,6 +303,7 @@ class _Chain(Generic[_Part]):
             coverage,
             surface.depth_views,
             surface.infrared,
+            surface.infrared_share,
         )
 
     def _misfits(self, results: list[ViewResult], surface: Surface) -> list[str]:

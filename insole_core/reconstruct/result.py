@@ -138,8 +138,9 @@ class Surface:
     depth_views
         The readings of every used view in the volume of interest; fused method only.
     infrared
-        What became of the infrared pictures that were compared, by the name of the view. The
-        deviations are those before it.
+        What became of the infrared pictures that were compared, by the name of the view.
+    infrared_share
+        Of the vertices, whose deviation is that by infrared, because it is the smaller one.
     warnings
         A sentence each.
     """
@@ -150,6 +151,7 @@ class Surface:
     view_gaps_mm: FloatArray | None = None
     depth_views: tuple[DepthView, ...] = ()
     infrared: dict[str, InfraredUse] = field(default_factory=dict)
+    infrared_share: float = 0.0
     warnings: tuple[str, ...] = ()
 
 
@@ -175,7 +177,7 @@ class Reconstruction:
         Measured share of every region of the foot, 0 to 1.
     depth_views
         The readings of every used view in the volume of interest; fused method only.
-    infrared
+    infrared, infrared_share
         As of `Surface`.
     """
 
@@ -188,6 +190,7 @@ class Reconstruction:
     coverage: dict[str, float] = field(default_factory=dict)
     depth_views: tuple[DepthView, ...] = ()
     infrared: dict[str, InfraredUse] = field(default_factory=dict)
+    infrared_share: float = 0.0
 
 
 def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[str, Any]:
@@ -206,7 +209,7 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
         views with their markers, size of the mesh, seconds, coverage, how far the correction moved
         the surface, and warnings; lengths in mm.
     """
-    depth = _depth_json(reconstruction.infrared)
+    depth = _depth_json(reconstruction)
     return {
         **({} if depth is None else {"depth": depth}),
         "views": [_view_json(view) for view in reconstruction.views],
@@ -219,14 +222,17 @@ def report_json(reconstruction: Reconstruction, total_seconds: float) -> dict[st
     }
 
 
-def _depth_json(infrared: dict[str, InfraredUse]) -> dict[str, Any] | None:
+def _depth_json(made: Reconstruction) -> dict[str, Any] | None:
     """Return where the surface comes from; None where no infrared picture was compared."""
+    infrared = made.infrared
     if not infrared:
         return None
+    source = "infrared" if any(use.used for use in infrared.values()) else "chip"
     return {
-        "source": "infrared" if any(use.used for use in infrared.values()) else "chip",
+        "source": source,
         "trusted_share": {name: use.share for name, use in infrared.items()},
-        "deviation_of": "chip",
+        "foot_share": made.infrared_share,
+        "deviation_of": source,
     }
 
 

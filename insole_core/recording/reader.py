@@ -170,7 +170,7 @@ def _dots(store: Store, folder: str, root: JsonObject, sensor: Sensor) -> DotPic
         names = _frames(store, folder, _DOTS, kind)
         read = partial(_read_grey, store, names, decode_grey)
         dots = replace(dots, pictures=InfraredPictures(len(names), read, 16))
-        dots = replace(dots, shift_px=infrared_shift_px(root))
+        dots = replace(dots, shift_px=infrared_shift_px(root) or dots.shift_px)
     except InputError as error:
         dots = replace(dots, picture_fault=error.message)
     try:

@@ -51,7 +51,7 @@ _MOST_MM, _MOST_PX, _MOST_DISTORTION = 1e4, 1e5, 1e3
 SENSOR_FILE = "sensor.json"
 CORRECTION_FILE = "correction.npz"
 REFERENCE_FILE = "reference.npz"
-_SHIFT = "infrared_shift_px"
+INFRARED_SHIFT = "infrared_shift_px"
 """Four times the half of a sensor's matching window, by which its depth image is shifted."""
 
 
@@ -173,17 +173,22 @@ def file_beside(root: JsonObject, key: str) -> str:
     return name
 
 
-def infrared_shift_px(root: JsonObject) -> tuple[float, float]:
+def infrared_shift_px(root: JsonObject) -> tuple[float, float] | None:
     """Return by how much infrared pictures are shifted against the depth image (see `DotPictures`).
+
+    Returns
+    -------
+    (u, v) or None
+        None where it is not said.
 
     Raises
     ------
     InputError
         When the key holds anything else.
     """
-    if not root.has(_SHIFT):
-        return 0.0, 0.0
-    return root.pair(_SHIFT, MOST_SHIFT_PX)
+    if not root.has(INFRARED_SHIFT):
+        return None
+    return root.pair(INFRARED_SHIFT, MOST_SHIFT_PX)
 
 
 def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
@@ -390,7 +395,7 @@ def write_sensor(
     if times is not None:
         values["frame_times_ms"] = {"depth": times.depth_ms, "color": times.color_ms}
     if dots is not None and any(dots.shift_px):
-        values[_SHIFT] = dots.shift_px
+        values[INFRARED_SHIFT] = dots.shift_px
     if dots is not None and dots.reference is not None:
         values["infrared_reference"] = REFERENCE_FILE
         dots.reference.save(folder / REFERENCE_FILE)

@@ -24,6 +24,8 @@ RAW_PER_PX = 8
 GREATEST = 1023
 """Brightness of a pixel, of 10 bits."""
 MOST_SHIFT_PX = 20.0
+USUAL_SHIFT_PX = (4.8, 3.9)
+"""Of the pictures that a Kinect sends against its depth: half of its correlation window."""
 _ROWS, _COLUMNS = 480, 640
 _MOST_BYTES = 64 * 2**20
 _MOST_FINE, _MOST_PX = 16, 1024

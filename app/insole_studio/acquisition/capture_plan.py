@@ -74,12 +74,15 @@ class CapturePlan:
         Number of depth and colour pictures of each view.
     settle
         Rule that decides when the depth of a sensor is steady enough to be used.
+    infrared
+        Whether infrared pictures are taken also of sensors whose pattern of dots is to be learnt.
     """
 
     steps: tuple[CaptureStep, ...]
     frames: int = 10
     color_frames: int = 1
     settle: StabilisationRule = field(default_factory=StabilisationRule)
+    infrared: bool = False
 
     @property
     def shots(self) -> tuple[Shot, ...]:

@@ -126,7 +126,8 @@ class CaptureRunner:
         self._reported: CaptureStatus | None = None
         self._under_way: tuple[str, ...] = ()
         self._calibrated = {
-            shot.view: setup.calibrated(sensors[shot.serial], shot.view) for shot in plan.shots
+            shot.view: setup.calibrated(sensors[shot.serial], shot.view, learning=plan.infrared)
+            for shot in plan.shots
         }
         self._views = {
             shot.view: ViewStatus(shot.view, shot.serial, 0, plan.frames, place=shot.place)
@@ -146,6 +147,8 @@ class CaptureRunner:
         """
         plan = self._plan
         sensors = [calibrated.sensor for calibrated in self._calibrated.values()]
+        for shot in plan.shots if plan.infrared else ():
+            require(self._sensors[shot.serial], Capability.INFRARED)
         known = sum(calibrated.dots is not None for calibrated in self._calibrated.values())
         self._draft.check_room(plan.frames, plan.color_frames, sensors, known * PICTURES)
         tilts: dict[str, float] = {}

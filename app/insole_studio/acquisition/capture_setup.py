@@ -16,7 +16,7 @@ from insole_core.recording.box import Box
 from insole_core.recording.sensor_folder import REFERENCE_FILE
 from insole_core.recording.session import DotPictures, ReferenceSystem, Session
 from insole_core.resources import resource_path
-from insole_core.sensing.infrared_reference import InfraredReference, check_owner
+from insole_core.sensing.infrared_reference import USUAL_SHIFT_PX, InfraredReference, check_owner
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import view_faces
 from insole_studio.acquisition.messages import Capability
@@ -77,7 +77,7 @@ class CaptureSetup:
     recorded
         Sensors of the emulated session, by view.
     recorded_dots
-        Patterns of dots of the emulated session, by serial number.
+        Pattern of dots and shift of the emulated session's pictures, by serial number.
     other
         The system that stands ready for the other number of feet; None where there is none.
     """
@@ -87,7 +87,7 @@ class CaptureSetup:
     volume_of_interest: Box | None = None
     recorded: dict[str, Sensor] = field(default_factory=dict)
     other: ReferenceSystem | None = None
-    recorded_dots: dict[str, InfraredReference] = field(default_factory=dict)
+    recorded_dots: dict[str, DotPictures] = field(default_factory=dict)
 
     def of_side(self, side: Sides) -> CaptureSetup:
         """Return the setup with the reference system for one foot, or for both.
@@ -115,13 +115,15 @@ class CaptureSetup:
             single=Path(DEFAULT_SYSTEM).stem,
         )
 
-    def calibrated(self, opened: OpenSensor, view: str) -> Calibrated:
+    def calibrated(self, opened: OpenSensor, view: str, *, learning: bool = False) -> Calibrated:
         """Return the calibration of a sensor for a view: the stored one, else the device's own.
 
         Parameters
         ----------
         view
             Determines which markers the sensor sees.
+        learning
+            Whether infrared pictures are taken to learn the pattern of dots.
 
         Returns
         -------
@@ -136,18 +138,23 @@ class CaptureSetup:
         known = self.known(opened.serial, view)
         if known is not None:
             _check_kind(known.sensor, opened)
-            return self._with_dots(known) if Capability.INFRARED in opened.capabilities else known
-        faces = view_faces(view, self.system)
-        sensor = opened.factory_sensor(faces)
-        return Calibrated(sensor, "factory", (_uncalibrated(sensor),))
+        else:
+            sensor = opened.factory_sensor(view_faces(view, self.system))
+            known = Calibrated(sensor, "factory", (_uncalibrated(sensor),))
+        if learning:
+            recorded = self.recorded_dots.get(opened.serial)
+            shift_px = USUAL_SHIFT_PX if recorded is None else recorded.shift_px
+            return replace(known, dots=DotPictures(shift_px=shift_px))
+        return self._with_dots(known) if Capability.INFRARED in opened.capabilities else known
 
     def _with_dots(self, known: Calibrated) -> Calibrated:
         """Add the pattern of dots, or why it cannot be used."""
         serial = known.sensor.serial
         try:
-            reference = self.stored.reference(serial) or self.recorded_dots.get(serial)
+            reference = self.stored.reference(serial)
             if reference is None:
-                return known
+                dots = self.recorded_dots.get(serial)
+                return replace(known, dots=dots) if dots and dots.reference else known
             check_owner(REFERENCE_FILE, reference, serial)
         except InputError as error:
             sentence = Message(
@@ -274,9 +281,11 @@ def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
     manifest = session.manifest
     recorded = {view.name: view.sensor for view in session.views}
     dots = {
-        view.sensor.serial: _with_shift(view.dots.reference, view.dots.shift_px)
+        view.sensor.serial: DotPictures(
+            reference=None if view.dots.fault else view.dots.reference, shift_px=view.dots.shift_px
+        )
         for view in session.views
-        if view.dots is not None and view.dots.reference is not None and not view.dots.fault
+        if view.dots is not None
     }
     return CaptureSetup(
         manifest.reference_system,
@@ -285,7 +294,3 @@ def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
         recorded,
         recorded_dots=dots,
     )
-
-
-def _with_shift(reference: InfraredReference, shift_px: tuple[float, float]) -> InfraredReference:
-    return replace(reference, record=replace(reference.record, shift_px=shift_px))

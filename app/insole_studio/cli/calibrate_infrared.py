@@ -90,7 +90,7 @@ def _learn(arguments: argparse.Namespace, progress: Progress) -> None:
     walls = read_infrared_walls(
         arguments.walls, sensor.serial, progress.part(0, 0.2), shift_px=shift_px
     )
-    learnt = learn_reference(walls, sensor, progress.part(0.2, 0.95), shift_px=shift_px)
+    learnt = learn_reference(walls, sensor, progress.part(0.2, 0.95))
     with Transaction() as outputs:
         if arguments.out:
             learnt.reference.save(outputs.file(arguments.out))
@@ -116,4 +116,4 @@ def _sensor_of(named: Path) -> tuple[Sensor, tuple[float, float]]:
 
     folder = named.parent if named.name == SENSOR_FILE else named
     sensor = delivering_raw_numbers(read_sensor(folder))
-    return sensor, infrared_shift_px(JsonObject.read(folder / SENSOR_FILE))
+    return sensor, infrared_shift_px(JsonObject.read(folder / SENSOR_FILE)) or (0.0, 0.0)

@@ -25,11 +25,12 @@ from insole_core.calibration.least_squares import (
 from insole_core.errors import CalibrationError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.transforms import inverse, rigid, rotation_angle_deg, transform
+from insole_core.sensing.infrared_reference import USUAL_SHIFT_PX
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Unit
 
-IR_TO_DEPTH_PX = (-4.8, -3.9)
-"""Depth pixel minus infrared pixel of a Kinect v1: half of its correlation window."""
+IR_TO_DEPTH_PX = (-USUAL_SHIFT_PX[0], -USUAL_SHIFT_PX[1])
+"""Depth pixel minus infrared pixel of a Kinect v1."""
 _CORNER_PX = 0.2
 """Standard error of a corner, which weights corners relative to the prior of the cameras."""
 _SPREAD = np.tile([20.0, 20.0, 20.0, 20.0, 0.2, 0.5, 0.02, 0.02], 2)

@@ -15,12 +15,12 @@ from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.json_object import JsonObject
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.images import read_picture
+from insole_core.recording.sensor_folder import SENSOR_FILE, infrared_shift_px
 from insole_core.regular_file import is_folder
-from insole_core.sensing.infrared_reference import on_depth_pixels
+from insole_core.sensing.infrared_reference import GREATEST, on_depth_pixels
 
 _NAME = re.compile(r"infrared_(\d{2,4})\.png")
 _SHAPE = (480, 640)
-_GREATEST = 1023
 MEAN_SCALE = 64
 """A mean of pictures is stored as 64 times the number of the sensor, which has 10 bits."""
 _SATURATED_SHARE = 0.01
@@ -40,10 +40,13 @@ class InfraredWall:
         The raw depth frame of the same wall.
     brightness : (480, 640) float32
         Relative to the mean nearby: 1 on average.
+    shift_px
+        That the picture had against the depth (see `DotPictures`).
     """
 
     depth: WallCapture
     brightness: Float32Array
+    shift_px: tuple[float, float] = (0.0, 0.0)
 
 
 def read_infrared_walls(
@@ -62,7 +65,7 @@ def read_infrared_walls(
         Of the device whose walls are expected; a ``sensor.json`` beside the pictures names theirs.
     progress
     shift_px
-        As of `DotPictures`.
+        As of `DotPictures`; where a ``sensor.json`` beside the pictures says it, that counts.
     most
         Number of walls to read; None for all.
 
@@ -78,25 +81,66 @@ def read_infrared_walls(
     CalibrationError
         If a picture is saturated or dark, or the walls are of another device.
     """
+    names = infrared_wall_names(folder, serial)[:most]
+    walls = []
+    for done, name in enumerate(names):
+        progress.step(done / len(names), "Reading {file}", file=name)
+        walls.append(read_infrared_wall(folder, name, shift_px=shift_px))
+    return walls
+
+
+def infrared_wall_names(folder: Path, serial: str = "") -> list[str]:
+    """List the infrared pictures of a folder of walls, in the order of their numbers.
+
+    Parameters
+    ----------
+    serial
+        As of `read_infrared_walls`.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    CalibrationError
+        If the walls are of another device.
+    """
     if not is_folder(folder):
         raise InputError(
             "There is no folder {folder}; name the folder with the infrared pictures of walls.",
             folder=folder,
         )
     _check_device(folder, serial)
-    matches = sorted(filter(None, map(_NAME.fullmatch, (path.name for path in folder.iterdir()))),
-                     key=lambda match: int(match[1]))  # fmt: skip
-    if not matches:
+    matches = filter(None, map(_NAME.fullmatch, (path.name for path in folder.iterdir())))
+    names = [match[0] for match in sorted(matches, key=lambda match: int(match[1]))]
+    if not names:
         raise InputError(
             "{folder} holds no infrared_00.png; name the folder with the infrared pictures of "
             "walls.",
             folder=folder,
         )
-    walls = []
-    for done, match in enumerate(matches[:most]):
-        progress.step(done / len(matches[:most]), "Reading {file}", file=match[0])
-        walls.append(_read_wall(folder, match[0], f"depth_{match[1]}.png", shift_px))
-    return walls
+    return names
+
+
+def read_infrared_wall(
+    folder: Path, name: str, *, shift_px: tuple[float, float] = (0.0, 0.0)
+) -> InfraredWall:
+    """Read one wall.
+
+    Parameters
+    ----------
+    name
+        Of the infrared picture.
+    shift_px
+        As of `read_infrared_walls`.
+
+    Raises
+    ------
+    InputError, CalibrationError
+        As of `read_infrared_walls`.
+    """
+    beside = folder / SENSOR_FILE
+    own_px = infrared_shift_px(JsonObject.read(beside)) if beside.exists() else None
+    return _read_wall(folder, name, name.replace("infrared", "depth"), own_px or shift_px)
 
 
 def relative_brightness(picture: FloatArray) -> Float32Array:
@@ -107,7 +151,7 @@ def relative_brightness(picture: FloatArray) -> Float32Array:
 
 
 def _check_device(folder: Path, serial: str) -> None:
-    beside = folder / "sensor.json"
+    beside = folder / SENSOR_FILE
     found = JsonObject.read(beside).text("serial") if serial and beside.exists() else serial
     if found != serial:
         raise CalibrationError(
@@ -123,7 +167,7 @@ def _read_wall(
     folder: Path, infrared: str, depth: str, shift_px: tuple[float, float]
 ) -> InfraredWall:
     path = folder / infrared
-    picture = _read_infrared(path)
+    picture = read_infrared_picture(path)
     if not (folder / depth).exists():
         raise InputError(
             "{depth} is missing beside {infrared} in {folder}; a wall needs both, so restore it or "
@@ -132,7 +176,7 @@ def _read_wall(
             infrared=infrared,
             folder=folder,
         )
-    if (picture >= _GREATEST).mean() > _SATURATED_SHARE:
+    if (picture >= GREATEST).mean() > _SATURATED_SHARE:
         raise CalibrationError(
             "{path} is saturated: its dots are as bright as the sensor can tell; lower the "
             "infrared brightness or step back, and capture the wall again.",
@@ -143,10 +187,16 @@ def _read_wall(
             "{path} is almost dark; uncover the emitter and capture the wall again.", path=path
         )
     capture = capture_from_frames(infrared, [read_depth(folder / depth)])
-    return InfraredWall(capture, relative_brightness(on_depth_pixels(picture, shift_px)))
+    return InfraredWall(capture, relative_brightness(on_depth_pixels(picture, shift_px)), shift_px)
 
 
-def _read_infrared(path: Path) -> FloatArray:
+def read_infrared_picture(path: Path) -> FloatArray:
+    """Read an infrared picture (480, 640) float64 of 10 bits, or of 64 times their mean.
+
+    Raises
+    ------
+    InputError
+    """
     image = read_picture(path, cv2.IMREAD_UNCHANGED)
     if image is None:
         raise InputError(
@@ -158,4 +208,4 @@ def _read_infrared(path: Path) -> FloatArray:
             "sensor sends it beside the depth.",
             path=path,
         )
-    return np.asarray(image / (MEAN_SCALE if image.max() > _GREATEST else 1), np.float64)
+    return np.asarray(image / (MEAN_SCALE if image.max() > GREATEST else 1), np.float64)

@@ -131,11 +131,7 @@ class _Wall:
 
 
 def learn_reference(
-    walls: Sequence[InfraredWall],
-    sensor: Sensor,
-    progress: Progress = SILENT,
-    *,
-    shift_px: tuple[float, float] = (0.0, 0.0),
+    walls: Sequence[InfraredWall], sensor: Sensor, progress: Progress = SILENT
 ) -> LearntReference:
     """Learn a device's pattern and distortion from infrared pictures of flat walls.
 
@@ -145,8 +141,6 @@ def learn_reference(
         At different distances.
     sensor
         Camera, law of the disparity and, where it has one, the correction of the chip's depth.
-    shift_px
-        That the pictures were read with; kept with the pattern.
 
     Raises
     ------
@@ -208,7 +202,7 @@ def learn_reference(
             "nearest_mm": min(distances),
             "farthest_mm": max(distances),
         },
-        shift_px,
+        walls[0].shift_px,
     )
     reference = InfraredReference(pattern.seen, pattern.first_px, FINE, correction, record)
     return LearntReference(reference, tuple(wall.name for wall in placed), left_out)
@@ -314,7 +308,14 @@ def _check_walls(walls: Sequence[_Wall], left_out: dict[str, str]) -> None:
         )
 
 
-def _place(wall: InfraredWall, sensor: Sensor) -> _Wall:
+def find_infrared_wall(wall: InfraredWall, sensor: Sensor) -> WallFit:
+    """Find the plane of a wall by the chip's depth.
+
+    Raises
+    ------
+    NoWallError
+        If it shows none.
+    """
     name = wall.depth.name
     capture = WallCapture(name, sensor.corrected(wall.depth.raw))
     fit = fit_wall(capture, plane_rows(sensor.depth_camera), sensor.disparity)
@@ -327,9 +328,14 @@ def _place(wall: InfraredWall, sensor: Sensor) -> _Wall:
             raw=_UNEVEN_RAW,
         )
         raise NoWallError(name, reason)
+    return fit
+
+
+def _place(wall: InfraredWall, sensor: Sensor) -> _Wall:
+    fit = find_infrared_wall(wall, sensor)
     kernel = np.ones((_CLOSED_PX, _CLOSED_PX), np.uint8)
     shown = cv2.morphologyEx(fit.wall.astype(np.uint8), cv2.MORPH_CLOSE, kernel) > 0
-    return _Wall(name, wall.brightness, fit, np.where(shown, fit.expected_raw, np.nan))
+    return _Wall(wall.depth.name, wall.brightness, fit, np.where(shown, fit.expected_raw, np.nan))
 
 
 @dataclass(frozen=True, eq=False)

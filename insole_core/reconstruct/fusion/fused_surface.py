@@ -105,6 +105,7 @@ def fuse(
         correction_mm=None if moved_mm is None else moved_mm[ends].mean(1),
         view_gaps_mm=refined.view_gaps_mm,
         infrared=uses,
+        infrared_share=float(refined.by_further[kept].mean()),
     )
 
 

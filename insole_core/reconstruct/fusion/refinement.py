@@ -9,7 +9,7 @@ import numpy as np
 import scipy
 
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.ray_casting import RayCaster
@@ -63,12 +63,15 @@ class RefinedSurface:
         Estimated offset and tilts (per 100 pixels) of each view's disparity.
     view_gaps_mm : (views, views, 3) float64, reference frame
         The shift from each view's surface to each other's (see `view_gaps`).
+    by_further : (n,) bool
+        Where further evidence is more certain than the readings (see `refine_near`).
     """
 
     mesh: TriangleMesh
     deviation_mm: FloatArray
     view_offsets_raw: FloatArray
     view_gaps_mm: FloatArray
+    by_further: BoolArray
 
 
 def refine(
@@ -119,6 +122,7 @@ def refine(
         std_mm,
         views.reshape(-1, 3),
         view_gaps(mesh, normals, displacement, readings, seen),
+        np.zeros(len(std_mm), dtype=bool),
     )
 
 
@@ -164,10 +168,11 @@ def refine_near(
     Returns
     -------
     RefinedSurface
-        With the deviations and gaps of `start`.
+        With the gaps of `start`, and at each vertex the deviation of what is more certain there:
+        the change by the further evidence, or `start`.
     """
-    mesh = start.mesh
-    for _ in range(limits.rounds):
+    mesh, changed_mm = start.mesh, np.full(len(start.deviation_mm), np.inf)
+    for number in range(limits.rounds):
         normals = smoothed_normals(mesh, 5)
         seen = observe_mesh(mesh, normals, RayCaster(mesh))
         if not seen:
@@ -176,10 +181,18 @@ def refine_near(
         rhs = system.rhs(system.information)
         change = mesh.vertices - start.mesh.vertices
         rhs[: system.vertices] -= limits.hold * np.einsum("nc,nc->n", change, normals)
-        displacement = system.inverse(system.information).applied(rhs)[: system.vertices]
+        inverse = system.inverse(system.information)
+        displacement = inverse.applied(rhs)[: system.vertices]
         moved = np.clip(displacement, -limits.farthest_mm, limits.farthest_mm)
         mesh = mesh.moved(mesh.vertices + moved[:, None] * normals)
-    return replace(start, mesh=mesh)
+        if number == limits.rounds - 1:
+            changed_mm = system.std_mm(inverse, system.information)
+    return replace(
+        start,
+        mesh=mesh,
+        deviation_mm=np.minimum(start.deviation_mm, changed_mm),
+        by_further=changed_mm < start.deviation_mm,
+    )
 
 
 def _robust(

@@ -216,7 +216,8 @@ def inspect_walls(folder: Path, sensor: Sensor, progress: Progress = SILENT) -> 
     walls = [wall for _, wall in inspections if wall is not None]
     distances = tuple(wall_distance_mm(wall) for wall in walls)
     looks = tuple(look for look, _ in inspections)
-    return Readiness(looks, _missing_walls(walls, sensor.family), wall_cells(walls), distances)
+    missing = missing_walls(walls, wall_distances_mm(sensor.family))
+    return Readiness(looks, missing, wall_cells(walls), distances)
 
 
 def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspection, WallFit | None]:
@@ -239,12 +240,18 @@ def look_at_wall(capture: WallCapture, sensor: Sensor) -> tuple[PictureInspectio
         wall = fit_wall(capture, plane_rows(lattice.depth_camera), sensor.disparity)
     except CalibrationError as error:
         return PictureInspection(capture.name, False, str(error), _depth_picture(capture)), None
-    sentence = Message(
+    return PictureInspection(
+        capture.name, True, wall_sentence(wall), _depth_picture(capture, wall.wall)
+    ), wall
+
+
+def wall_sentence(wall: WallFit) -> Message:
+    """Return where a wall is, and how much of the picture it fills."""
+    return Message(
         "a wall at {distance_mm:.0f} mm that fills {share:.0%}",
         distance_mm=wall_distance_mm(wall),
         share=float(wall.wall.mean()),
     )
-    return PictureInspection(capture.name, True, sentence, _depth_picture(capture, wall.wall)), wall
 
 
 def wall_distance_mm(wall: WallFit) -> float:
@@ -295,9 +302,10 @@ def wall_distances_mm(family: SensorFamily) -> tuple[int, ...]:
     return tuple(np.linspace(*family.wall_mm, _WALL_DISTANCES).astype(int).tolist())
 
 
-def _missing_walls(walls: Sequence[WallFit], family: SensorFamily) -> tuple[str, ...]:
+def missing_walls(walls: Sequence[WallFit], wanted_mm: Sequence[int]) -> tuple[str, ...]:
+    """Return what walls at some distances still lack, one sentence each."""
     distances = [wall_distance_mm(wall) for wall in walls]
-    far = [str(mm) for mm in wall_distances_mm(family) if not is_near(mm, distances)]
+    far = [str(mm) for mm in wanted_mm if not is_near(mm, distances)]
     missing = []
     if far:
         missing.append(
@@ -338,10 +346,15 @@ def _depth_picture(capture: WallCapture, wall: BoolArray | None = None) -> ByteA
     known: FloatArray = np.nan_to_num(capture.raw, nan=np.nanmax(capture.raw))
     low, high = np.nanpercentile(capture.raw, [2, 98])
     grey = 220 - 160 * np.clip((known - low) / max(high - low, 1), 0, 1)
-    picture = rgb(np.where(np.isfinite(capture.raw), grey, 20).astype(np.uint8))
+    return small(with_wall(np.where(np.isfinite(capture.raw), grey, 20).astype(np.uint8), wall))
+
+
+def with_wall(grey: ByteArray, wall: BoolArray | None) -> ByteArray:
+    """Return a grey picture (height, width) as RGB, with the wall in green."""
+    picture = rgb(grey)
     if wall is not None:
         picture[wall] = (0.7 * picture[wall] + 0.3 * np.array(_GREEN)).astype(np.uint8)
-    return small(picture)
+    return picture
 
 
 def rgb(grey: ByteArray) -> ByteArray:

@@ -15,6 +15,7 @@ from insole_core.evaluation.report_files import WRITERS
 from insole_core.files.temporary import is_unfinished
 from insole_core.files.transaction import Transaction
 from insole_core.messages import joined
+from insole_core.recording.sensor_folder import REFERENCE_FILE
 from insole_core.regular_file import read_regular
 from insole_core.sensing.sensor import CalibrationRecord
 from insole_core.strict_json import MOST_BYTES
@@ -112,6 +113,8 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
 
         def attach(folder: Path) -> None:
             write_reports(report, [*report_paths(folder, section.key), *copies])
+            if result.reference is not None:
+                result.reference.save(folder / REFERENCE_FILE)
 
         return store.save(result.sensor.calibrated(done), attach, outputs)
 

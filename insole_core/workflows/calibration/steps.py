@@ -16,6 +16,7 @@ from insole_core.calibration.boards.stereo import IR_TO_DEPTH_PX, common_corners
 from insole_core.errors import CalibrationError, InputError
 from insole_core.evaluation.report import ReportSection
 from insole_core.progress import SILENT, Progress
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import COLOR_CAMERA, Sensor, Unit
 
 COLOR, INFRARED, DEPTH = "color", "ir", "depth"
@@ -46,6 +47,8 @@ class StepResult:
     residual
         What the step left unexplained, with its unit; kept with the sensor, so that each session
         tells how well its sensors were calibrated.
+    reference
+        The pattern of dots, of the step that learns it.
     """
 
     sensor: Sensor
@@ -54,6 +57,7 @@ class StepResult:
     residual: tuple[float, Unit]
     advice: tuple[str, ...] = ()
     doubt: str = ""
+    reference: InfraredReference | None = None
 
 
 def board_pictures(folder: Path, kind: str) -> list[Path]:

@@ -24,6 +24,10 @@
             <translation>ChArUco-bräde</translation>
         </message>
         <message>
+            <source>Check the pattern by the newest wall</source>
+            <translation>Pröva mönstret mot den senaste väggen</translation>
+        </message>
+        <message>
             <source>Chequerboard</source>
             <translation>Schackbräde</translation>
         </message>
@@ -34,6 +38,10 @@
         <message>
             <source>Colour camera</source>
             <translation>Färgkamera</translation>
+        </message>
+        <message>
+            <source>Comparing the wall with the pattern</source>
+            <translation>Jämför väggen med mönstret</translation>
         </message>
         <message>
             <source>Cover the emitter, light the board well, and take 16 infrared pictures of it: turned by 20 to 40° to all sides, in all parts of the picture.</source>
@@ -72,6 +80,10 @@
             <translation>Sparar bilden</translation>
         </message>
         <message>
+            <source>Let the sensor warm up for 15 minutes, point it at an empty flat wall that fills the picture, and take eight walls from 600 to 900 mm away, a little askew each time; depth and infrared are taken together. Later, one wall tells whether the pattern has drifted.</source>
+            <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg som fyller bilden, och ta åtta väggar på 600 till 900 mm, lite snett varje gång; djup och infrarött tas tillsammans. Senare säger en vägg om mönstret har glidit.</translation>
+        </message>
+        <message>
             <source>Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture ten frames at each of six distances from 500 to 1000 mm, a little askew each time.</source>
             <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg och ta tio bilder på vart och ett av sex avstånd från 500 till 1000 mm, lite snett varje gång.</translation>
         </message>
@@ -98,6 +110,10 @@
         <message>
             <source>Paper</source>
             <translation>Papper</translation>
+        </message>
+        <message>
+            <source>Pattern of dots (infrared)</source>
+            <translation>Punktmönster (infrarött)</translation>
         </message>
         <message>
             <source>Print at 100 %, check the line at the edge, and glue the page to something stiff.</source>
@@ -206,6 +222,10 @@
         <message>
             <source>When the board or the wall stands still in a new place</source>
             <translation>När brädet eller väggen står stilla på ett nytt ställe</translation>
+        </message>
+        <message>
+            <source>Whether the pattern that is kept has drifted; nothing is written</source>
+            <translation>Om det sparade mönstret har glidit; ingenting skrivs</translation>
         </message>
         <message>
             <source>Writing the calibration and its reports</source>

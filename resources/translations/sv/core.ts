@@ -252,6 +252,10 @@
             <translation>En delad journal behöver mappen för sina stora filer, på en delad plats som alla stationer når; välj den.</translation>
         </message>
         <message>
+            <source>A shift along the rows that is the same on all of the wall cannot be seen.</source>
+            <translation>En förskjutning längs raderna som är lika på hela väggen syns inte.</translation>
+        </message>
+        <message>
             <source>A shift fits one distance; calibrate depth to colour to be right at all.</source>
             <translation>En förskjutning stämmer på ett avstånd; kalibrera djup mot färg för att det ska stämma på alla.</translation>
         </message>
@@ -596,6 +600,10 @@
             <translation>Efter sin plats i lådan är detta {place} fot, efter sin form {told} fot; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>By {wall} the pattern of {day} still holds: it has drifted by {drift_px:.3f} px, and the wall is like it ({likeness:.2f}).</source>
+            <translation>Enligt {wall} gäller mönstret från {day} än: det har glidit {drift_px:.3f} px, och väggen liknar det ({likeness:.2f}).</translation>
+        </message>
+        <message>
             <source>Calibrate the sensors that you capture with: Tools ▸ Calibrate sensors.</source>
             <translation>Kalibrera de sensorer som du avbildar med: Verktyg ▸ Kalibrera sensorer.</translation>
         </message>
@@ -918,6 +926,10 @@
         <message>
             <source>Distance of the points that the surface is computed at</source>
             <translation>Avstånd mellan punkterna som ytan beräknas i</translation>
+        </message>
+        <message>
+            <source>Distortion of the pattern, raw units</source>
+            <translation>Mönstrets förvrängning, råenheter</translation>
         </message>
         <message>
             <source>Dowels, from the zero</source>
@@ -1688,6 +1700,10 @@
             <translation>Vänster inlägg</translation>
         </message>
         <message>
+            <source>Left of the shifts (rms)</source>
+            <translation>Kvar av förskjutningarna (rms)</translation>
+        </message>
+        <message>
             <source>Leg length discrepancy</source>
             <translation>Benlängdsskillnad</translation>
         </message>
@@ -1976,6 +1992,10 @@
             <translation>Ingen del av foten vetter mot underlaget, så ingen kontaktyta kan göras; kontrollera skanningens läge.</translation>
         </message>
         <message>
+            <source>No pattern of dots of sensor {serial} is kept; learn it first.</source>
+            <translation>Inget punktmönster för sensorn {serial} är sparat; lär in det först.</translation>
+        </message>
+        <message>
             <source>No point is marked in both images; mark the targets in colour and depth.</source>
             <translation>Ingen punkt är märkt i båda bilderna; märk målen i färg och djup.</translation>
         </message>
@@ -2262,6 +2282,10 @@
         <message>
             <source>Path</source>
             <translation>Väg</translation>
+        </message>
+        <message>
+            <source>Pattern of dots</source>
+            <translation>Punktmönster</translation>
         </message>
         <message>
             <source>Pelott</source>
@@ -2784,6 +2808,10 @@
             <translation>Andel av fotens längd upp till vilken bakfotens vinkel gäller</translation>
         </message>
         <message>
+            <source>Share of the pattern covered</source>
+            <translation>Täckt del av mönstret</translation>
+        </message>
+        <message>
             <source>Sheet</source>
             <translation>Blad</translation>
         </message>
@@ -2938,6 +2966,10 @@
         <message>
             <source>Take {count} more pictures, the board tilted by 20 to 40° to another side each time.</source>
             <translation>Ta {count} bilder till, med brädet lutat 20 till 40° åt ett nytt håll varje gång.</translation>
+        </message>
+        <message>
+            <source>Take {count} more walls at other distances.</source>
+            <translation>Ta {count} väggar till på andra avstånd.</translation>
         </message>
         <message>
             <source>Taking infrared pictures of view {views}</source>
@@ -3290,6 +3322,10 @@
         <message>
             <source>The distances reach from {nearest_mm:g} to {farthest_mm:g} mm; give them in millimetres, between {low_mm:g} and {high_mm:g}.</source>
             <translation>Avstånden går från {nearest_mm:g} till {farthest_mm:g} mm; ange dem i millimeter, mellan {low_mm:g} och {high_mm:g}.</translation>
+        </message>
+        <message>
+            <source>The distortion leaves {residual_px:.3f} px of the walls' shifts (rms).</source>
+            <translation>Förvrängningen lämnar {residual_px:.3f} px av väggarnas förskjutningar (rms).</translation>
         </message>
         <message>
             <source>The distortion of the depth was not corrected yet, which turns the cameras by a degree or two; calibrate the distortion first.</source>
@@ -4186,6 +4222,10 @@
         <message>
             <source>The wall to the rim is {angle:.0f}° steep, and there is no room for a wider one; lower the rim there.</source>
             <translation>Väggen till randen lutar {angle:.0f}°, och det finns ingen plats för en bredare; sänk randen där.</translation>
+        </message>
+        <message>
+            <source>The wall was not kept, because sensor or wall moved, or its infrared pictures are black or saturated; hold the sensor still with its emitter uncovered, and take it again.</source>
+            <translation>Väggen sparades inte, eftersom sensorn eller väggen rörde sig, eller dess infraröda bilder är svarta eller mättade; håll sensorn stilla med strålkastaren fri och ta väggen igen.</translation>
         </message>
         <message>
             <source>The walls are still off by {rms_raw:.1f} raw units, which is more than noise, as with boards held before a wall; capture flat, empty walls, with the sensor standing still.</source>
@@ -10160,6 +10200,10 @@
             <translation>{thin} av {count} hållflikar blir tunnare än de {asked:g} mm som begärdes, den tunnaste {least:.1f} mm: kanten är tunn eller brant där, eller inget block blir kvar intill dem. Håll fast stycket när det lossnar, eller ta ett större block.</translation>
         </message>
         <message>
+            <source>{used} of {taken} walls were used, {nearest_mm:.0f} to {farthest_mm:.0f} mm; {share:.0%} of the pattern was seen often enough.</source>
+            <translation>{used} av {taken} väggar användes, {nearest_mm:.0f} till {farthest_mm:.0f} mm; {share:.0%} av mönstret sågs tillräckligt ofta.</translation>
+        </message>
+        <message>
             <source>{used} of {taken} walls were used; they cover {share:.0%} of the image.</source>
             <translation>{used} av {taken} väggar användes; de täcker {share:.0%} av bilden.</translation>
         </message>
@@ -10262,6 +10306,10 @@
         <message>
             <source>{what} is {value:g}, and must be {least} to {most} {unit}; put in a value of that range.</source>
             <translation>{what} är {value:g}, och måste vara {least} till {most} {unit}; ange ett värde i det området.</translation>
+        </message>
+        <message>
+            <source>{what} was left out: {reason}</source>
+            <translation>{what} utelämnades: {reason}</translation>
         </message>
         <message>
             <source>{what} {count}</source>

@@ -113,7 +113,12 @@ def test_infrared_pictures_bring_the_foot_nearer_the_truth(
     assert depth["source"] == "infrared"
     assert set(depth["trusted_share"]) == {view.name for view in dotted.views}
     assert min(depth["trusted_share"].values()) > 0.9
-    assert depth["deviation_of"] == "chip"
+    assert depth["deviation_of"] == "infrared"
+    assert 0.02 < depth["foot_share"] <= 1
+    assert made.deviation_mm is not None
+    assert fused.deviation_mm is not None
+    assert len(made.deviation_mm) == len(made.mesh.vertices)
+    assert np.mean(made.deviation_mm) < np.mean(fused.deviation_mm)
 
 
 def test_a_pattern_that_drifted_is_told_and_moves_nothing(

@@ -10,11 +10,18 @@ from pathlib import Path
 from insole_core.calibration.boards.board import Board
 from insole_core.memo import Memo
 from insole_core.progress import Progress
+from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 from insole_core.workflows.calibration.board_steps import (
     Which,
     calibrate_camera_step,
     calibrate_stereo_step,
+)
+from insole_core.workflows.calibration.infrared_steps import (
+    PATTERN,
+    check_pattern,
+    inspect_infrared_walls,
+    learn_pattern_step,
 )
 from insole_core.workflows.calibration.picture_folders import LiveKind
 from insole_core.workflows.calibration.picture_readiness import (
@@ -47,6 +54,9 @@ class CalibrationStep:
         Whether a calibration is complete without the step.
     live
         Kind of live inspection for this step.
+    check
+        Says of a folder and a sensor whether its kept pattern of dots still holds; None for steps
+        without one.
     """
 
     key: str
@@ -57,6 +67,7 @@ class CalibrationStep:
     uses_board: bool = True
     optional: bool = False
     live: LiveKind = "boards"
+    check: Callable[[Path, Sensor, InfraredReference | None], tuple[str, ...]] | None = None
 
 
 def _inspect_pictures(
@@ -121,5 +132,23 @@ STEPS = (
         ),
         lambda folder, board, _sensor, memo, progress: inspect_pairs(folder, board, memo, progress),
         calibrate_stereo_step,
+    ),
+    CalibrationStep(
+        PATTERN,
+        lambda: tr("Pattern of dots (infrared)"),
+        lambda: tr(
+            "Let the sensor warm up for 15 minutes, point it at an empty flat wall that fills the "
+            "picture, and take eight walls from 600 to 900 mm away, a little askew each time; "
+            "depth and infrared are taken together. Later, one wall tells whether the pattern has "
+            "drifted."
+        ),
+        lambda folder, _board, sensor, memo, progress: inspect_infrared_walls(
+            folder, sensor, memo, progress
+        ),
+        lambda folder, _board, sensor, progress: learn_pattern_step(folder, sensor, progress),
+        uses_board=False,
+        optional=True,
+        live="dots",
+        check=check_pattern,
     ),
 )

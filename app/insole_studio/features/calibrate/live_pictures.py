@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -22,6 +22,7 @@ from insole_core.progress import Progress
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Manifest, ReferenceSystem
 from insole_core.sensing.sensor import Sensor
+from insole_core.workflows.calibration.infrared_steps import DOTS_DISTANCES_MM
 from insole_core.workflows.calibration.picture_folders import LiveKind, keep_infrared, keep_view
 from insole_core.workflows.calibration.picture_overlay import draw_distances, draw_missing_cells
 from insole_core.workflows.calibration.picture_readiness import (
@@ -53,8 +54,13 @@ _STEADY_SHARE, _NEW_SHARE = 0.004, 0.06
 """In image widths: a board that moved less is steady, one that moved more is in a new pose."""
 _STEADY_MM, _NEW_MM = 4.0, 45.0
 _VIEW, _FRAMES = "calibration", 10
-_SHOWN: dict[LiveKind, Kind] = {"boards": "color", "walls": "depth", "infrared": "infrared"}
-_KINDS: tuple[Kind, ...] = tuple(_SHOWN.values())
+_SHOWN: dict[LiveKind, Kind] = {
+    "boards": "color",
+    "walls": "depth",
+    "infrared": "infrared",
+    "dots": "depth",
+}
+_KINDS: tuple[Kind, ...] = tuple(dict.fromkeys(_SHOWN.values()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,7 +170,8 @@ class LivePictures:
             self._watch_infrared(serial if kind == "infrared" else "")
             for shown in _KINDS:
                 self._take_newest(state.slot, shown)
-            lack = lack_of(state, Capability.INFRARED) if kind == "infrared" else None
+            asked = kind in ("infrared", "dots")
+            lack = lack_of(state, Capability.INFRARED) if asked else None
             self.problem = state.problem or lack or self.problem
         return done
 
@@ -195,7 +202,8 @@ class LivePictures:
         if kind == "infrared":
             gray = cv2.cvtColor(image, cv2.COLOR_GRAY2RGB)
             return lambda _progress: glance_at_board(np.asarray(gray), board, known)
-        return lambda _progress: glance_at_wall(image, sensor, known)
+        wanted_mm = DOTS_DISTANCES_MM if kind == "dots" else wall_distances_mm(sensor.family)
+        return lambda _progress: glance_at_wall(image, sensor, known, wanted_mm)
 
     def is_worth_taking(self, glance: LiveInspection) -> bool:
         """Return whether the board or wall is steady in a pose not captured yet."""
@@ -223,8 +231,8 @@ class LivePictures:
 
         return keep
 
-    def take(self, serial: str) -> None:
-        """Order the service to record the current view of the sensor."""
+    def take(self, serial: str, kind: LiveKind) -> None:
+        """Order the service to record the current view of the sensor, of dots with infrared."""
         if self._service is None or self._draft is not None:
             return
         self._remember_place()
@@ -236,6 +244,7 @@ class LivePictures:
             views=(),
         )
         plan = make_plan(((_VIEW, serial),), frames=_FRAMES)
+        plan = replace(plan, infrared=kind == "dots")
         folder = Path(self._draft.name) / "session"
         self._service.send(Start(plan, folder, manifest, plan.views))
 
@@ -311,7 +320,12 @@ def glance_at_board(color: ByteArray, board: Board, known: Readiness | None) -> 
     return LiveInspection(draw_missing_cells(look.picture, cells), look.sentence, place)
 
 
-def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> LiveInspection:
+def glance_at_wall(
+    raw: RawArray,
+    sensor: Sensor,
+    known: Readiness | None,
+    wanted_mm: Sequence[int],
+) -> LiveInspection:
     """Detect the wall in a raw depth image, and mark the distances not yet covered.
 
     Parameters
@@ -322,22 +336,23 @@ def glance_at_wall(raw: RawArray, sensor: Sensor, known: Readiness | None) -> Li
         The sensor as calibrated so far.
     known
         What the images taken so far cover.
+    wanted_mm
+        All distances at which walls are captured.
     """
     distances = known.distances_mm if known is not None else ()
-    wanted = wall_distances_mm(sensor.family)
     name = tr("The live picture")
     colored = small(depth_colors(sensor.disparity)[raw])
     try:
         look, wall = look_at_wall(capture_from_glance(name, raw), sensor)
     except CalibrationError as error:
-        return LiveInspection(draw_distances(colored, wanted, distances, None), str(error))
+        return LiveInspection(draw_distances(colored, wanted_mm, distances, None), str(error))
     if wall is None:
-        return LiveInspection(draw_distances(colored, wanted, distances, None), look.sentence)
+        return LiveInspection(draw_distances(colored, wanted_mm, distances, None), look.sentence)
     now_mm = wall_distance_mm(wall)
-    picture = draw_distances(look.picture, wanted, distances, now_mm)
+    picture = draw_distances(look.picture, wanted_mm, distances, now_mm)
     if known is not None:
         upper = draw_missing_cells(look.picture, known.cells)
-        picture = draw_distances(upper, wanted, distances, now_mm)
+        picture = draw_distances(upper, wanted_mm, distances, now_mm)
     return LiveInspection(picture, look.sentence, np.array([now_mm]))
 
 

@@ -80,7 +80,7 @@ class LivePresenter:
                 self._jobs.start(_KEEP, work, self._kept, self._fail)
         else:
             self._goes_to = folder, kind
-            self._live.take(self._presenter.serial)
+            self._live.take(self._presenter.serial, kind)
         self._show()
 
     def tick(self) -> None:

@@ -73,6 +73,7 @@ class CalibratePresenter:
         panel.folder_requested.connect(self.ask_folder)
         panel.look_chosen.connect(self.show_look)
         panel.calibrate_requested.connect(self.calibrate)
+        panel.check_requested.connect(self.check)
         panel.save_requested.connect(self.save)
         panel.undo_requested.connect(self.undo)
         jobs.progressed.connect(self._show_progress)
@@ -186,6 +187,18 @@ class CalibratePresenter:
 
         self._start(work, self._show_result)
 
+    def check(self) -> None:
+        """Say by the newest wall, in the background, whether the kept pattern still holds."""
+        folder, sensor, check = self._folder, self._sensor, self._step.check
+        if folder is None or sensor is None or check is None:
+            return
+
+        def work(progress: Progress) -> tuple[str, ...]:
+            progress.step(0.1, tr("Comparing the wall with the pattern"))
+            return check(folder, sensor, self._store.reference(sensor.serial))
+
+        self._start(work, self._show_check)
+
     def save(self) -> None:
         """Save the result and its reports for this sensor; ask first if implausible."""
         result = self._result
@@ -222,6 +235,9 @@ class CalibratePresenter:
         except InsoleError:
             return False  # no serial number, which was told when it was given
 
+    def _knows_pattern(self) -> bool:
+        return bool(step_date(self._store, self._serial, self._step.key))
+
     def _start(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
         self._panel.show_error("")
         self._jobs.start(CHANNEL, work, done, self._show_failure)
@@ -231,7 +247,9 @@ class CalibratePresenter:
         self._jobs.cancel(CHANNEL)
         self._step, self._folder = step, None
         self._forget()
-        self._panel.show_step(step.title(), step.instruction(), step.uses_board)
+        self._panel.show_step(
+            step.title(), step.instruction(), step.uses_board, step.check is not None
+        )
         self._panel.show_error(self._lack(step))
         self._panel.show_steps([self._row(one) for one in STEPS])
         first = tr("Give the serial number of the sensor, as it stands on its label.")
@@ -292,6 +310,10 @@ class CalibratePresenter:
         self._panel.show_next([*result.sentences, *result.advice, question])
         self._show_buttons()
 
+    def _show_check(self, sentences: tuple[str, ...]) -> None:
+        self._panel.show_next(sentences)
+        self._show_buttons()
+
     def _saved(self, sensor: Sensor | None) -> None:
         self._sensor = sensor
         self._panel.show_serials(self._store.serials())
@@ -321,6 +343,7 @@ class CalibratePresenter:
             CalibrateButtons(
                 choose=idle and self._sensor is not None and not self._lack(self._step),
                 calibrate=idle and usable,
+                check=idle and usable and self._knows_pattern(),
                 save=idle and self._result is not None,
                 undo=idle and self._can_undo(),
             )

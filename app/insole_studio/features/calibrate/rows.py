@@ -39,6 +39,7 @@ class CalibrateButtons:
 
     choose: bool = False
     calibrate: bool = False
+    check: bool = False
     save: bool = False
     undo: bool = False
 

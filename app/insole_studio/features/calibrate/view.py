@@ -46,6 +46,7 @@ class CalibrateView(QWidget):
     folder_requested = Signal()
     look_chosen = Signal(int)
     calibrate_requested = Signal()
+    check_requested = Signal()
     save_requested = Signal()
     undo_requested = Signal()
     live_toggled = Signal(bool)
@@ -81,6 +82,10 @@ class CalibrateView(QWidget):
         self.print_boards = _button(tr("Print boards…"), self.print_requested)
         self.print_boards.setToolTip(tr("Boards and marker templates at true size"))
         self.calibrate = _button(tr("Calibrate"), self.calibrate_requested)
+        self.check = _button(tr("Check the pattern by the newest wall"), self.check_requested)
+        self.check.setToolTip(
+            tr("Whether the pattern that is kept has drifted; nothing is written")
+        )
         self.save = _button(tr("Save to the device"), self.save_requested)
         self.undo = _button(tr("Undo the last step"), self.undo_requested)
         self.undo.setToolTip(
@@ -122,7 +127,7 @@ class CalibrateView(QWidget):
                 if row.open:
                     self.steps.setCurrentItem(item)
 
-    def show_step(self, title: str, instruction: str, uses_board: bool) -> None:
+    def show_step(self, title: str, instruction: str, uses_board: bool, checks: bool) -> None:
         """Show the open step.
 
         Parameters
@@ -131,10 +136,13 @@ class CalibrateView(QWidget):
             Translated texts.
         uses_board
             Whether to show the fields of the board.
+        checks
+            Whether to show the button that checks what the step has learnt.
         """
         self._title.setText(title)
         self._instruction.setText(instruction)
         self._board.setVisible(uses_board)
+        self.check.setVisible(checks)
 
     def show_board(self, board: BoardSize) -> None:
         """Show the board in use."""
@@ -194,6 +202,7 @@ class CalibrateView(QWidget):
         """Enable and disable the buttons."""
         self.choose.setEnabled(buttons.choose)
         self.calibrate.setEnabled(buttons.calibrate)
+        self.check.setEnabled(buttons.check)
         self.save.setEnabled(buttons.save)
         self.undo.setEnabled(buttons.undo)
 
@@ -220,7 +229,7 @@ class CalibrateView(QWidget):
         _stack(middle, self.choose)
         _stack(middle, self.next_steps, self.error)
         middle.addStretch(1)
-        _stack(middle, self._progress, self.calibrate, self.save)
+        _stack(middle, self._progress, self.check, self.calibrate, self.save)
         controls = QHBoxLayout()
         for widget in (self.live, self.take, self.automatic):
             controls.addWidget(widget)

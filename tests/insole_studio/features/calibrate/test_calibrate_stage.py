@@ -5,13 +5,16 @@ from __future__ import annotations
 import re
 import shutil
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
-from simulated_device import WALLS, SimulatedDevice, smooth_distortion
+from simulated_device import WALLS, SimulatedDevice, smooth_distortion, wall
 from simulated_folders import BOARD, write_boards, write_walls
+from simulated_infrared import dots, write_infrared, write_infrared_walls
 
 from insole_core.calibration.plausibility import USUAL_DEPTH
 from insole_core.sensing.sensor import BURRUS, nominal_kinect
@@ -52,6 +55,18 @@ def pictures(tmp_path_factory: pytest.TempPathFactory) -> Path:
     device = SimulatedDevice(smooth_distortion(3, 3.0), disparity=USUAL_DEPTH)
     write_boards(folder / "boards", device, 5)
     write_walls(folder / "walls", device, WALLS[:3], 1)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def dots_of_walls(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Infrared pictures of four walls, and one that is dark."""
+    device = SimulatedDevice(smooth_distortion(3, 0.5), disparity=USUAL_DEPTH)
+    planes = [wall(620, 3, -2), wall(690, -4, 1), wall(790, 0, 4), wall(900, 2, -3)]
+    folder = tmp_path_factory.mktemp("dots") / "walls"
+    write_infrared_walls(folder, device, dots(1), planes)
+    write_infrared(folder / "infrared_04.png", np.full((480, 640), 64.0))
+    shutil.copy(folder / "depth_03.png", folder / "depth_04.png")
     return folder
 
 
@@ -279,3 +294,69 @@ def test_opened_from_the_menu_and_closed_with_the_program(app: Application) -> N
     assert app.features.calibrate.stage is opened
     app.features.calibrate.close()
     assert app.features.calibrate.stage is None
+
+
+def test_the_pattern_of_dots_is_learnt_kept_and_checked(
+    stage: CalibrateStage, chosen: Chosen, dots_of_walls: Path, settle, tmp_path: Path
+) -> None:
+    store = SensorStore(tmp_path / "sensors")
+    store.save(replace(nominal_kinect("SIM1"), disparity=USUAL_DEPTH))
+    give_serial(stage)
+    stage.view.steps.setCurrentRow(4)
+    assert not stage.view.check.isHidden()
+    chosen.folder = dots_of_walls
+    stage.view.choose.click()
+    settle()
+    looks = [stage.view.looks.item(i).text() for i in range(stage.view.looks.count())]
+    assert looks[0].startswith("✓  infrared_00.png: a wall at 6")
+    assert looks[4].startswith("✗  infrared_04.png")
+    assert "is almost dark; uncover the emitter" in looks[4]
+    assert "Take 4 more walls at other distances." in stage.view.next_steps.text()
+    assert not stage.view.check.isEnabled()
+
+    stage.view.calibrate.click()
+    settle()
+    said = stage.view.next_steps.text()
+    assert "4 of 5 walls were used, 6" in said
+    assert "of the pattern was seen often enough" in said
+    assert "infrared_04.png was left out" in said
+    assert store.reference("SIM1") is None
+    stage.view.save.click()
+    settle()
+    kept = store.reference("SIM1")
+    assert kept is not None
+    assert kept.record.serial == "SIM1"
+    assert "done on 20" in step_lines(stage)[4]
+
+    stage.view.steps.setCurrentRow(4)
+    one = tmp_path / "one"
+    shutil.copytree(dots_of_walls, one, ignore=shutil.ignore_patterns("*_04.png", "*_03.png"))
+    chosen.folder = one
+    stage.view.choose.click()
+    settle()
+    stage.view.check.click()
+    settle()
+    assert "By infrared_02.png the pattern of 20" in stage.view.next_steps.text()
+    assert stage.view.error.text() == ""
+
+    (one / "sensor.json").write_text('{"serial": "OTHER"}')
+    stage.view.check.click()
+    settle()
+    assert "were recorded with sensor OTHER" in stage.view.error.text()
+
+
+def test_too_few_walls_of_dots_are_told(
+    stage: CalibrateStage, chosen: Chosen, dots_of_walls: Path, settle, tmp_path: Path
+) -> None:
+    give_serial(stage)
+    stage.view.steps.setCurrentRow(4)
+    chosen.folder = tmp_path / "few"
+    shutil.copytree(
+        dots_of_walls, chosen.folder, ignore=shutil.ignore_patterns("*_02.png", "*_03.png")
+    )
+    stage.view.choose.click()
+    settle()
+    stage.view.calibrate.click()
+    settle()
+    assert "Only 2 walls can be used, but the pattern needs 4 or more" in stage.view.error.text()
+    assert not stage.view.save.isEnabled()

@@ -13,6 +13,7 @@ from simulated_board import board_poses, chequer_print, photograph
 from simulated_device import SimulatedDevice, wall
 from simulated_folders import BOARD, SENSOR
 
+from insole_core.calibration.infrared.infrared_walls import read_infrared_walls
 from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.geometry.side import Side
 from insole_core.recording.session import Manifest, Session, View
@@ -118,6 +119,28 @@ def test_infrared_pictures_in_place_of_colour(
     stage.view.steps.setCurrentRow(0)
     qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
     assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
+
+
+def test_a_wall_of_dots_is_taken_in_depth_and_infrared(
+    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
+) -> None:
+    stage.view.automatic.setChecked(False)
+    stage.view.live.click()
+    qtbot.waitUntil(lambda: stage.view.serial_line.text() == "SIM1")
+    stage.view.steps.setCurrentRow(4)
+    qtbot.waitUntil(lambda: "a wall at 700 mm" in said(stage))
+    stage.view.take.click()
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
+    assert stage.view.looks.item(0).text().startswith("✓  infrared_00.png: a wall at 700 mm")
+    text = stage.view.next_steps.text()
+    assert "Take 7 more walls at other distances." in text
+    assert "Capture the wall at about these distances: 600, 800, 900 mm." in text
+    (folder,) = (tmp_path / "pictures" / "SIM1").glob("*/infrared_pattern")
+    names = {"infrared_00.png", "depth_00.png", "sensor.json"}
+    assert {path.name for path in folder.iterdir()} == names
+    (wall,) = read_infrared_walls(folder, "SIM1")
+    assert wall.shift_px == (4.8, 3.9)
+    assert not stage.view.check.isEnabled()
 
 
 def test_what_is_being_taken_stays_with_its_step(
