@@ -39,7 +39,7 @@ from insole_core.workflows.calibration.steps import COLOR, board_pictures, has_i
 from insole_core.workflows.calibration.wall_steps import check_lattice
 
 GOOD_PICTURES = 10
-_WALL_DISTANCES = 6
+_WALL_STEP_MM = 100
 _NEAR_MM = 60.0
 _FRONT_DEG = 8.0
 CELLS = (6, 8)
@@ -299,7 +299,8 @@ def _missing_parts(detections: Sequence[BoardDetection]) -> tuple[str, ...]:
 
 def wall_distances_mm(family: SensorFamily) -> tuple[int, ...]:
     """Return the distances of the walls that the distortion of a family is calibrated with."""
-    return tuple(np.linspace(*family.wall_mm, _WALL_DISTANCES).astype(int).tolist())
+    nearest, farthest = map(int, family.wall_mm)
+    return tuple(range(nearest, farthest + 1, _WALL_STEP_MM))
 
 
 def missing_walls(walls: Sequence[WallFit], wanted_mm: Sequence[int]) -> tuple[str, ...]:

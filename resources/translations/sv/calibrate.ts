@@ -84,8 +84,8 @@
             <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg som fyller bilden, och ta åtta väggar på 600 till 900 mm, lite snett varje gång; djup och infrarött tas tillsammans. Senare säger en vägg om mönstret har glidit.</translation>
         </message>
         <message>
-            <source>Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture ten frames at each of six distances from 500 to 1000 mm, a little askew each time.</source>
-            <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg och ta tio bilder på vart och ett av sex avstånd från 500 till 1000 mm, lite snett varje gång.</translation>
+            <source>Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture ten frames at each of six distances from 500 to 1000 mm (with a RealSense at four from 400 to 700 mm), a little askew each time.</source>
+            <translation>Låt sensorn värmas upp i 15 minuter, rikta den mot en tom plan vägg och ta tio bilder på vart och ett av sex avstånd från 500 till 1000 mm (med en RealSense på fyra från 400 till 700 mm), lite snett varje gång.</translation>
         </message>
         <message>
             <source>Live picture</source>

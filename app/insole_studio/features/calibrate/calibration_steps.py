@@ -103,7 +103,8 @@ STEPS = (
         lambda: tr("Distortion of the depth"),
         lambda: tr(
             "Let the sensor warm up for 15 minutes, point it at an empty flat wall, and capture "
-            "ten frames at each of six distances from 500 to 1000 mm, a little askew each time."
+            "ten frames at each of six distances from 500 to 1000 mm (with a RealSense at four "
+            "from 400 to 700 mm), a little askew each time."
         ),
         lambda folder, _board, sensor, _memo, progress: inspect_walls(folder, sensor, progress),
         _distortion,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -16,9 +17,12 @@ from simulated_folders import BOARD, SENSOR
 from insole_core.calibration.infrared.infrared_walls import read_infrared_walls
 from insole_core.calibration.markers.reference_file import load_reference_system
 from insole_core.geometry.side import Side
+from insole_core.recording.sensor_folder import read_sensor
 from insole_core.recording.session import Manifest, Session, View
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
+from insole_core.sensing.metric_depth import StereoDisparity
+from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -99,6 +103,46 @@ def test_the_wall_with_its_distance(stage: CalibrateStage, qtbot: QtBot, tmp_pat
     qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
     text = stage.view.next_steps.text()
     assert "Capture the wall at about these distances: 500, 600, 800, 900, 1000 mm." in text
+
+
+@pytest.fixture
+def stereo(qtbot: QtBot, tmp_path: Path) -> Iterator[CalibrateStage]:
+    """A RealSense that nobody has calibrated, before a wall at 520 mm."""
+    pytest.importorskip("pyrealsense2", reason="pyrealsense2 plays the cameras, and is missing")
+    camera = PinholeCamera(160, 96, 115.0, 115.0, 80.0, 48.0)
+    sensor = replace(
+        SENSOR, model="realsense-d415", serial="D1", depth_camera=camera, color_camera=camera,
+        disparity=StereoDisparity(115.0, 55.0), depth_unit_mm=0.1, baseline_mm=55.0,
+    )  # fmt: skip
+    depth, color = np.full((96, 160), 5200, np.uint16), np.full((96, 160, 3), 90, np.uint8)
+    view = View("left", sensor, 1, 1, lambda _index: depth, lambda _index: color)
+    system = load_reference_system(resource_path(DEFAULT_SYSTEM))
+    manifest = Manifest("2026-01-01T00:00:00+00:00", Side.LEFT, system, ("left",), metric=True)
+    write_session(Session(manifest, (view,), "simulated"), tmp_path / "session")
+    store = SensorStore(tmp_path / "sensors")
+    source = SensorSource(store, tmp_path / "session")
+    built = CalibrateStage(store, source, tmp_path / "pictures")
+    built.show()
+    yield built
+    built.close()
+    built.deleteLater()
+
+
+def test_of_a_realsense_only_the_walls_are_left(
+    stereo: CalibrateStage, qtbot: QtBot, tmp_path: Path
+) -> None:
+    stereo.view.automatic.setChecked(False)
+    stereo.view.live.click()
+    qtbot.waitUntil(lambda: "a wall at 52" in said(stereo))
+    assert stereo.view.steps.currentRow() == 1
+    stereo.view.take.click()
+    qtbot.waitUntil(lambda: stereo.view.looks.count() == 1)
+    wanted = "Capture the wall at about these distances: 400, 600, 700 mm."
+    assert wanted in stereo.view.next_steps.text()
+    (kept,) = (tmp_path / "pictures" / "D1").glob("*/distortion/wall_000/sensor.json")
+    assert read_sensor(kept.parent).depth_unit_mm == 0.1
+    stereo.view.steps.setCurrentRow(0)
+    assert "calibrate only the distortion of its depth" in stereo.view.error.text()
 
 
 @pytest.mark.slow
