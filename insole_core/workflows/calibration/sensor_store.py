@@ -212,8 +212,19 @@ class SensorStore:
         InputError
             When it is damaged, or of a newer version.
         """
-        path = self.folder_of(serial) / REFERENCE_FILE
-        return load_reference(path) if path.exists() else None
+        if not self.has_reference(serial):
+            return None
+        return load_reference(self.folder_of(serial) / REFERENCE_FILE)
+
+    def has_reference(self, serial: str) -> bool:
+        """Return whether the pattern of dots of a sensor is kept.
+
+        Raises
+        ------
+        UsageError
+            When the serial number is not one.
+        """
+        return (self.folder_of(serial) / REFERENCE_FILE).exists()
 
     def check_known(self, serial: str) -> Sensor:
         """Return a sensor that a pattern can be kept with.

@@ -232,6 +232,10 @@
             <translation>Standardavvikelse</translation>
         </message>
         <message>
+            <source>Standard deviation, {share:.0%} by infrared</source>
+            <translation>Standardavvikelse, {share:.0%} från infrarött</translation>
+        </message>
+        <message>
             <source>The session is being read.</source>
             <translation>Sessionen läses.</translation>
         </message>

@@ -236,7 +236,8 @@ class CalibratePresenter:
             return False  # no serial number, which was told when it was given
 
     def _knows_pattern(self) -> bool:
-        return bool(step_date(self._store, self._serial, self._step.key))
+        known = self._sensor is not None and self._step.check is not None
+        return known and self._store.has_reference(self._serial)
 
     def _start(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
         self._panel.show_error("")

@@ -14,7 +14,7 @@ from insole_core.reconstruct import ViewResult
 from insole_core.recording.hand_edits import Pixel, ViewEdits
 from insole_core.workflows.make_foot import MadeFoot
 from insole_studio.scene.coloring import Coloring
-from insole_studio.texts import tr
+from insole_studio.texts import fill, tr
 
 VIEW_COLORS = (
     (230, 159, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233),
@@ -179,7 +179,10 @@ def _confidence(made: MadeFoot) -> Coloring | None:
     deviation_mm = made.reconstruction.deviation_mm
     if deviation_mm is None:
         return None
-    return Coloring(deviation_mm, (0.0, _span(deviation_mm)), tr("Standard deviation"))
+    title, share = tr("Standard deviation"), made.reconstruction.infrared_share
+    if share > 0:
+        title = fill(tr("Standard deviation, {share:.0%} by infrared"), share=share)
+    return Coloring(deviation_mm, (0.0, _span(deviation_mm)), title)
 
 
 def _coverage(made: MadeFoot) -> Coloring | None:

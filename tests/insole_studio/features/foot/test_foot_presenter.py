@@ -7,7 +7,8 @@ import shutil
 import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ from insole_core.recording.reader import read_session
 from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.document.foot_display import known_display
 from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
-from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow
+from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow, color_foot
 from insole_studio.jobs import Jobs
 
 pytestmark = pytest.mark.one_window
@@ -326,6 +327,18 @@ def test_every_map_has_a_value_for_every_vertex(made: Bench) -> None:
     _, spread = made.panel.feet[-1]
     assert 0 < np.nanmedian(spread.values) < 3
     assert np.isnan(spread.values).any()
+
+
+def test_the_map_of_deviations_says_how_much_infrared_decides() -> None:
+    def title(share: float) -> str:
+        made = SimpleNamespace(deviation_mm=np.array([0.2, 0.9]), infrared_share=share)
+        coloring = color_foot(FootMap.CONFIDENCE, cast("Any", SimpleNamespace(reconstruction=made)))
+        assert coloring is not None
+        assert coloring.values.tolist() == [0.2, 0.9]
+        return coloring.title
+
+    assert title(0.0) == "Standard deviation"
+    assert title(0.913) == "Standard deviation, 91% by infrared"
 
 
 def test_what_was_filled_for_display_is_marked_as_not_measured(made: Bench) -> None:
