@@ -5,9 +5,39 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from insole_core.contact.change import SENTENCE, PressureChange, Told
+from insole_core.contact.change import HEADS, SENTENCE, PressureChange, Told
 from insole_core.contact.fit import Fitted
 from insole_core.insole.fields import Place
+from insole_core.messages import Message
+
+REGION_WORDS = {
+    "heel": Message("Heel"),
+    "midfoot": Message("Midfoot"),
+    "metatarsal_heads": Message("Metatarsal heads"),
+    "toes": Message("Toes"),
+    **{head: Message("Head {number}", number=head[-1]) for head in HEADS},
+}
+"""What each of `GROUPS` is called."""
+
+
+def change_lines(told: PressureChange) -> tuple[Message, ...]:
+    """Return what is told of a change for a paper, a sentence each; the last says what it is."""
+    lines = []
+    for name, one in told.regions.items():
+        if one.reason or one.percent is None or one.limits is None:
+            lines.append(Message("{region}: cannot tell.", region=REGION_WORDS[name]))
+        else:
+            low, high = one.limits
+            lines.append(
+                Message(
+                    "{region}: {percent:+.0f} % of the peak pressure, {low:+.0f} to {high:+.0f} %.",
+                    region=REGION_WORDS[name],
+                    percent=one.percent,
+                    low=low,
+                    high=high,
+                )
+            )
+    return (*lines, SENTENCE)
 
 
 def change_report(

@@ -343,6 +343,11 @@ def run_export_job(
             identification={**job.patient, **job.identification, **_numbers(job)},
             material=joined(dict.fromkeys(filter(None, job.materials.values())), " / "),
             day=date.today(),
+            provenance={
+                part.side: {"change of pressure": joined(part.told, " ")}
+                for part in job.parts
+                if part.told
+            },
             landmarks={part.side: part.landmarks for part in job.parts},
             warnings={part.side: part.warnings for part in job.parts},
             translate=job.translate,
@@ -443,7 +448,9 @@ def _job_sheet(
         measures=_translated(_measures(part), say),
         make=_translated(_make(job, part), say),
         checks=tuple(f"{'✓' if f.passed else '✗'} {say(f.sentence)}" for f in placed.findings)
-        + tuple(map(say, (*part.notes, *_printed_notes(job, part), *_released(job, part)))),
+        + tuple(
+            map(say, (*part.notes, *part.told, *_printed_notes(job, part), *_released(job, part)))
+        ),
         warnings=tuple(map(say, part.warnings)),
         file=beside.solid,
         file_name=places.solid.name,

@@ -80,6 +80,8 @@ class Part:
         What is unusual about the design, a sentence each: those that the design shows too.
     notes
         What the customer should know beyond the checks, one sentence each.
+    told
+        What was ticked to stand on the papers beside the design, one sentence each.
     """
 
     insole: Insole
@@ -90,6 +92,7 @@ class Part:
     landmarks: Landmarks
     warnings: tuple[Message, ...] = ()
     notes: tuple[str, ...] = ()
+    told: tuple[Message, ...] = ()
 
     @property
     def side(self) -> Side:

@@ -105,7 +105,8 @@ def write_prescription_paper(
     day
         Date of the paper.
     provenance
-        How the device of each foot came about, as the clinic's record knows it.
+        What is known of the device of each foot beside its design: how it came about, what it
+        changes.
     landmarks : insole frame
         Of each foot, for the places of pads behind the heads.
     warnings

@@ -59,7 +59,7 @@ def make_features(
         capture=CaptureWindow(services, source),
         foot=foot,
         design=make_design(services, stage),
-        export=ExportActions(services, drawn),
+        export=ExportActions(services, drawn, stage.load.told_on_papers),
         compare=CompareWindow(services),
         calibrate=CalibrateWindow(services.paths, source, services.messages, services.window),
     )

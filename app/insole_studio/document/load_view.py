@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
+from insole_core.cases.case_record import CaseRecord
 from insole_core.contact.change import (
     Assumptions,
     Change,
@@ -14,6 +15,7 @@ from insole_core.contact.change import (
     changed,
     pressure_change,
 )
+from insole_core.contact.change_report import change_lines
 from insole_core.contact.designs import Shoe
 from insole_core.contact.dose import Dose, DoseCurve, dose_curve, dosed, with_dose
 from insole_core.contact.fit import Fitted, fit_tissue
@@ -21,6 +23,7 @@ from insole_core.contact.load_case import Posture
 from insole_core.contact.stance import Ground, Sole, check_weight, notes_of_weight
 from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.primitives.height_field import HeightField
@@ -167,6 +170,9 @@ class LoadView(QObject):
         self.target: Target | None = None
         self._limited: tuple[_Task, _Found] | None = None
         """Of what the limits were computed."""
+        self._is_on_papers = False
+        self._on_papers: tuple[_Task, PressureChange] | None = None
+        """What was ticked, also once the window is closed."""
         self._problem = ""
         surface.changed.connect(self._refresh)
         surface.failed.connect(self.told)
@@ -189,6 +195,28 @@ class LoadView(QObject):
         self.told.emit()
         if self._limited is not None and not self._is_computing:
             self._find_dose(*self._limited)
+
+    @property
+    def is_on_papers(self) -> bool:
+        """Whether papers carry what is told."""
+        return self._is_on_papers
+
+    def put_on_papers(self, is_ticked: bool) -> None:
+        """Let papers carry what is told of the change, or nothing."""
+        self._is_on_papers, self._on_papers = is_ticked, None
+        self._note_for_papers()
+
+    def told_on_papers(self, record: CaseRecord) -> dict[Side, tuple[Message, ...]]:
+        """Return what papers of a case carry; nothing of another foot or design than was ticked."""
+        if self._on_papers is None:
+            return {}
+        task, told = self._on_papers
+        feet = (foot for foot in record.feet if foot.foot is task.foot)
+        return {foot.side: change_lines(told) for foot in feet if foot.design == task.design}
+
+    def _note_for_papers(self) -> None:
+        if self._is_on_papers and self._limited is not None and self.limits is not None:
+            self._on_papers = self._limited[0], self.limits
 
     @property
     def problem(self) -> str:
@@ -304,6 +332,7 @@ class LoadView(QObject):
 
         def take(told: PressureChange) -> None:
             self.limits, self._limited = told, (task, found)
+            self._note_for_papers()
             self.changed.emit()
             self.told.emit()
             self._find_dose(task, found)

@@ -1360,6 +1360,10 @@
             <translation>Låt en administratör kopiera {rule} till /etc/udev/rules.d; dra sedan ut sensorerna och anslut dem igen.</translation>
         </message>
         <message>
+            <source>Head {number}</source>
+            <translation>Huvud {number}</translation>
+        </message>
+        <message>
             <source>Heel</source>
             <translation>Häl</translation>
         </message>
@@ -1880,12 +1884,20 @@
             <translation>Tvärbalk</translation>
         </message>
         <message>
+            <source>Metatarsal heads</source>
+            <translation>Metatarsalhuvuden</translation>
+        </message>
+        <message>
             <source>Metatarsalgia</source>
             <translation>Metatarsalgi</translation>
         </message>
         <message>
             <source>Middle layer</source>
             <translation>Mellanlager</translation>
+        </message>
+        <message>
+            <source>Midfoot</source>
+            <translation>Mellanfot</translation>
         </message>
         <message>
             <source>Missing 1st toe</source>
@@ -5514,6 +5526,10 @@
         <message>
             <source>centre</source>
             <translation>mitt</translation>
+        </message>
+        <message>
+            <source>change of pressure</source>
+            <translation>tryckets förändring</translation>
         </message>
         <message>
             <source>change patients, visits and prescriptions</source>
@@ -10094,6 +10110,14 @@
         <message>
             <source>{region} {percent:.0f} %</source>
             <translation>{region} {percent:.0f} %</translation>
+        </message>
+        <message>
+            <source>{region}: cannot tell.</source>
+            <translation>{region}: kan inte säga.</translation>
+        </message>
+        <message>
+            <source>{region}: {percent:+.0f} % of the peak pressure, {low:+.0f} to {high:+.0f} %.</source>
+            <translation>{region}: {percent:+.0f} % av topptrycket, {low:+.0f} till {high:+.0f} %.</translation>
         </message>
         <message>
             <source>{scan} does not fit what was captured, wherever it is laid; name the scan of the same body, and check its unit.</source>

@@ -100,10 +100,6 @@
             <translation>Markkontakt</translation>
         </message>
         <message>
-            <source>Head {number}</source>
-            <translation>Huvud {number}</translation>
-        </message>
-        <message>
             <source>How much the map covers foot and insole</source>
             <translation>Hur mycket bilden täcker fot och inlägg</translation>
         </message>
@@ -138,14 +134,6 @@
         <message>
             <source>Map</source>
             <translation>Tryckbild</translation>
-        </message>
-        <message>
-            <source>Metatarsal heads</source>
-            <translation>Metatarsalhuvuden</translation>
-        </message>
-        <message>
-            <source>Midfoot</source>
-            <translation>Mellanfot</translation>
         </message>
         <message>
             <source>Move and turn the pressure map or footprint under the foot</source>
@@ -230,6 +218,10 @@
         <message>
             <source>Put in the body weight; nothing is assumed.</source>
             <translation>Ange kroppsvikten; inget antas.</translation>
+        </message>
+        <message>
+            <source>Put it on the papers of the order and the prescription</source>
+            <translation>Ta med den på orderns papper och ordinationen</translation>
         </message>
         <message>
             <source>Relief: {head} ({kpa:.0f} kPa)</source>

@@ -9,6 +9,7 @@ import numpy as np
 from pointing import LEFT
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
 
 from insole_core.contact.change import SENTENCE, Change
 from insole_core.imprints.form import Form
@@ -41,7 +42,7 @@ def measured(change: Change) -> PressureMap:
 
 
 def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
-    app: Application, settle: Settle
+    app: Application, settle: Settle, qtbot: QtBot
 ) -> None:
     act(app, "open_example")
     settle()
@@ -87,6 +88,27 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     app.case.end_preview()
     settle()
     assert load.limits is not None
+
+    # Papers carry nothing unless it is ticked, then with the sentence, and of this design alone.
+    ordered = app.case.record
+    assert load.told_on_papers(ordered) == {}
+    QTest.mouseClick(dialog.papers, LEFT, pos=QPoint(8, dialog.papers.height() // 2))
+    (lines,) = load.told_on_papers(ordered).values()
+    assert lines[-1] == SENTENCE
+    assert any(line.startswith("Heel: ") and "%" in line for line in lines)
+    foot = ordered.current
+    assert foot is not None
+    thicker = replace(foot.design, thickness_mm=foot.design.thickness_mm + 1)
+    assert load.told_on_papers(ordered.with_foot(foot.with_design(thicker))) == {}
+    act(app, "export")
+    stage_of_export = app.features.export.stage
+    assert stage_of_export is not None
+    qtbot.waitUntil(lambda: bool(stage_of_export.presenter.parts), timeout=60_000)
+    (part,) = stage_of_export.presenter.parts
+    assert part.told == lines
+    stage_of_export.close()
+    QTest.mouseClick(dialog.papers, LEFT, pos=QPoint(8, dialog.papers.height() // 2))
+    assert load.told_on_papers(ordered) == {}
 
     dialog.region.setCurrentIndex(dialog.region.findData("midfoot"))
     dialog.percent.show_value(-10.0)

@@ -39,6 +39,7 @@ from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_parts import Field
 
 if TYPE_CHECKING:
+    from insole_studio.features.export.rows import ToldOnPapers
     from insole_studio.features.export.stage import ExportStage
 
 EXPORT_ACTIONS: tuple[ActionRecord[ExportActions], ...] = (
@@ -85,15 +86,22 @@ class ExportActions(StageWindow["ExportStage"]):
     ----------
     drawn
         Returns the insole as the design shows it; None while it shows none.
+    told
+        Returns what was ticked to stand on the papers of a case.
     """
 
     changed = Signal()
     exported_files = Signal(object, object, str)
     """Emitted with the record that was exported, an `Ordered`, and the visit that it is of."""
 
-    def __init__(self, services: AppServices, drawn: Callable[[], TriangleMesh | None]) -> None:
+    def __init__(
+        self,
+        services: AppServices,
+        drawn: Callable[[], TriangleMesh | None],
+        told: ToldOnPapers,
+    ) -> None:
         super().__init__(services.window)
-        self._drawn = drawn
+        self._drawn, self._told = drawn, told
         self._services = services
         self._case = services.case
         self._messages = services.messages
@@ -120,6 +128,7 @@ class ExportActions(StageWindow["ExportStage"]):
             machines=machines,
             dark=self._services.dark,
             drawn=self._drawn(),
+            told=self._told,
         )
 
     def connect_stage(self, stage: ExportStage) -> None:

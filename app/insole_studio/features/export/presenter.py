@@ -59,8 +59,10 @@ from insole_studio.features.export.machine_presenter import MachineAsker, Machin
 from insole_studio.features.export.rows import (
     TITLES,
     Buttons,
+    ToldOnPapers,
     check_row,
     notes_of,
+    nothing_told,
     ordered_foot,
     patient_text,
     sentence_of,
@@ -133,6 +135,8 @@ class ExportPresenter:
         Called with the exported record and what was ordered.
     drawn
         The insole as the design shows it, until the piece is made.
+    told
+        Returns what was ticked to stand on the papers of a case.
     """
 
     def __init__(
@@ -150,11 +154,12 @@ class ExportPresenter:
         machines: NamedFiles[Machine],
         exported: Callable[[CaseRecord, Ordered], None],
         drawn: TriangleMesh | None = None,
+        told: ToldOnPapers = nothing_told,
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
         self._store, self._materials, self._shop = rules, materials, shop
         self._block_store, self._asker, self._exported = blocks, asker, exported
-        self._memory = memory
+        self._memory, self._told = memory, told
         self._own_blocks: tuple[Block, ...] = ()
         self._choice, self._new_number, self._begins_order = memory.load(), "", False
         self._rules = read_rules()
@@ -336,8 +341,11 @@ class ExportPresenter:
         rules = rules.for_maker(cutter_mm, is_printed=choice.printing is not None)
         self._machine.forget()
 
+        told = self._told(record)
+
         def make(progress: Progress) -> tuple[Part, ...]:
-            return make_parts(record, choice, rules, progress, materials=materials)
+            parts = make_parts(record, choice, rules, progress, materials=materials)
+            return tuple(replace(part, told=told.get(part.side, ())) for part in parts)
 
         self._panel.show_error(self._complaint)
         self._jobs.start(MAKING, make, self._take, self._show_nothing)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TypeAlias
 
-from insole_core.cases.case_record import Patient
+from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.messages import Message
 from insole_core.solids.checks import Finding
 from insole_core.solids.export_rules import CheckName, ExportRules, Policy
 from insole_core.solids.nesting import Nest
@@ -16,6 +18,14 @@ from insole_core.solids.order import CHECKS_OF, Part
 from insole_core.solids.solid import Kind
 from insole_core.workflows.make_order import OrderChoice, ordered_material
 from insole_studio.texts import fill, tr, translate_core_message
+
+ToldOnPapers: TypeAlias = Callable[[CaseRecord], Mapping[Side, tuple[Message, ...]]]
+"""Returns what stands on the papers of a case beside its designs, by the feet."""
+
+
+def nothing_told(_record: CaseRecord) -> Mapping[Side, tuple[Message, ...]]:
+    """Return nothing for the papers."""
+    return {}
 
 
 class CheckState(StrEnum):

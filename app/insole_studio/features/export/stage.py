@@ -15,6 +15,7 @@ from insole_core.workflows.named_files import NamedFiles
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import Stock
 from insole_studio.features.export.presenter import WRITING, ExportPresenter, OrderAsker
+from insole_studio.features.export.rows import ToldOnPapers, nothing_told
 from insole_studio.features.export.view import ExportView
 from insole_studio.jobs import Jobs
 from insole_studio.texts import tr
@@ -48,6 +49,8 @@ class ExportStage(StageFrame):
         Whether to use the dark theme.
     drawn
         The insole as the design shows it, until the piece is made.
+    told
+        Returns what was ticked to stand on the papers of a case.
     """
 
     closed = Signal()
@@ -67,6 +70,7 @@ class ExportStage(StageFrame):
         machines: NamedFiles[Machine],
         dark: bool,
         drawn: TriangleMesh | None = None,
+        told: ToldOnPapers = nothing_told,
     ) -> None:
         super().__init__()
         self.setWindowTitle(tr("Check & export") + " – Insole Studio")
@@ -88,6 +92,7 @@ class ExportStage(StageFrame):
             machines=machines,
             exported=self.exported.emit,
             drawn=drawn,
+            told=told,
         )
 
     @property

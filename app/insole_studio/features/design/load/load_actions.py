@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from insole_core.contact.change import GROUPS, Told
+from insole_core.contact.change import Told
+from insole_core.contact.change_report import REGION_WORDS
 from insole_core.contact.dose import Dose
 from insole_core.contact.fit import Fitted
 from insole_core.insole.elements import Pelott
@@ -50,6 +51,8 @@ class LoadActions:
             design = self._case.record.design
             if design is not None and design.shell is not None and design.shell.body_weight_kg:
                 dialog.weight.show_value(design.shell.body_weight_kg)
+            dialog.papers.setChecked(self._load.is_on_papers)
+            dialog.papers.toggled.connect(self._load.put_on_papers)
             dialog.asked.connect(self._ask)
             dialog.finished.connect(self._close)
             dialog.offer_regions(_regions())
@@ -195,13 +198,4 @@ def _signed(percent: float) -> str:
 
 def _regions() -> dict[str, str]:
     """Return the words for the regions, in the order of the table."""
-    names = {
-        "heel": tr("Heel"),
-        "midfoot": tr("Midfoot"),
-        "metatarsal_heads": tr("Metatarsal heads"),
-        "toes": tr("Toes"),
-    }
-    heads = {
-        f"head_{number}": fill(tr("Head {number}"), number=str(number)) for number in range(1, 6)
-    }
-    return {name: text for name, text in {**names, **heads}.items() if name in GROUPS}
+    return {name: translate_core_message(word) for name, word in REGION_WORDS.items()}

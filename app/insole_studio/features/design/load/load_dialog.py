@@ -56,6 +56,7 @@ class LoadDialog(QDialog):
         self.fit.setToolTip(tr("A map of the bare foot on a plate, in this posture"))
         self.fit.setEnabled(False)
         self.fitted = MessageLabel("quiet")
+        self.papers = QCheckBox(tr("Put it on the papers of the order and the prescription"))
         self.table = RowTable(
             [tr("Region"), tr("Peak pressure"), tr("Between (95 %)")], sorts=False
         )
@@ -189,7 +190,7 @@ class LoadDialog(QDialog):
         layout.addLayout(form)
         for part in (
             self.problem, self.fitted, self.table, self.reasons, self.area, self.dose, self.chart,
-            self.assumed, sentence,
+            self.assumed, sentence, self.papers,
         ):  # fmt: skip
             layout.addWidget(part)
         return page
