@@ -238,13 +238,17 @@ class CaptureRunner:
             Beginning(dark_s, clear_s if sensor.emits else dark_s, sensor.discarded)
             for sensor in own
         ]
+        self._start_beside(others, lambda: self._start(step.shots))
+        return beginnings
+
+    def _start_beside(self, others: list[OpenSensor], start: Callable[[], None]) -> None:
+        """Start streams, if need be in place of those of other sensors."""
         try:
-            self._start(step.shots)
+            start()
         except BusFullError:
             for sensor in others:  # colour alone takes part of the controller's bandwidth
                 sensor.stop()
-            self._start(step.shots)
-        return beginnings
+            start()
 
     def _start(self, shots: tuple[Shot, ...]) -> None:
         for shot in shots:
@@ -278,8 +282,10 @@ class CaptureRunner:
         self._tell(
             CapturePhase.CAPTURING, Message("Taking infrared pictures of view {views}", views=names)
         )
+        own = [one.sensor for one in taken]
+        others = [sensor for sensor in self._sensors.values() if sensor not in own]
         for one in known:
-            one.sensor.start_infrared()
+            self._start_beside(others, one.sensor.start_infrared)
         switched_s = time.monotonic()
         infrared = [InfraredSeries(one, switched_s) for one in known]
         while not all(one.complete for one in infrared):

@@ -22,6 +22,7 @@ from insole_core.sensing.infrared_reference import InfraredReference, ReferenceR
 from insole_core.sensing.sensor import nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.capture_plan import make_plan
+from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.infrared_series import PICTURES, InfraredSeries
 from insole_studio.acquisition.messages import CaptureStatus
 from insole_studio.acquisition.sensor_port import DepthFrame, SensorError
@@ -112,7 +113,7 @@ def test_pulling_the_plug_before_the_infrared_keeps_the_finished_views(bench: Be
     assert not list(bench.draft.folder.glob(".taking-*"))
 
 
-def test_a_capture_is_cancelled_between_depth_and_infrared(bench: Bench) -> None:
+def test_a_capture_cancelled_between_depth_and_infrared_goes_on_later(bench: Bench) -> None:
     told: list[None] = []
     with pytest.raises(Cancelled):
         bench.capture(
@@ -121,6 +122,11 @@ def test_a_capture_is_cancelled_between_depth_and_infrared(bench: Bench) -> None
             is_cancelled=lambda: bool(told),
         )
     assert bench.draft.views == ("left",)
+    bench.draft.close()
+    bench.draft = Draft.reopen(bench.draft.folder, PLAN.views)
+    bench.capture(PLAN.only(["right", "top"]))
+    left, right, top = read_session(bench.draft.folder).views
+    assert [view.dots is not None for view in (left, right, top)] == [True, True, False]
 
 
 def test_a_pattern_that_cannot_be_used_is_told_and_depth_is_taken(
