@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchmarks._finite_elements import FINE, indent
+from benchmarks._layer_theory import sphere_load_by_theory
 from insole_core.contact.elastic_layers import Layer
 from insole_core.contact.hardness import foam
 from insole_core.contact.pressing import Bed, Support
@@ -44,30 +45,16 @@ def punch_stiffness(poisson: float, radius_by_thickness: float, nodes: int) -> f
 
 
 def sphere_load_ratio(radius_mm: float, layer: Layer, load_n: float, step_mm: float) -> float:
-    """Return the load on a sphere against that of Dimitriadis for the sinking that is found.
-
-    Dimitriadis, Horkay, Maresca, Kachar and Chadwick, Biophys. J. 82, 2002, 2798-2810: a series in
-    sqrt(radius * sinking) / thickness for a bonded layer, whose first term is Hertz's.
-    """
+    """Return the load on a sphere against that by theory for the sinking that is found."""
     reach = 1.7 * (0.75 * load_n * radius_mm / layer.modulus_mpa) ** (1 / 3)
     n = 2 * int(reach / step_mm) + 1
     x = step_mm * (np.arange(n) - (n - 1) / 2)
     gap = (x[:, None] ** 2 + x**2) / (2 * radius_mm)
     centre = (n - 1) / 2 * step_mm
     sunk = _bedded(n, step_mm, layer).press(gap, load_n, (centre, centre)).sinking_mm
-    return load_n / _dimitriadis(radius_mm, layer, sunk)
-
-
-def _dimitriadis(radius_mm: float, layer: Layer, sunk_mm: float) -> float:
-    v, chi = layer.poisson, np.sqrt(radius_mm * sunk_mm) / layer.thickness_mm
-    a = -(1.2876 - 1.4678 * v + 1.3442 * v**2) / (1 - v)
-    b = (0.6387 - 1.0277 * v + 1.5164 * v**2) / (1 - v)
-    third = a**3 + 4 * np.pi**2 / 15 * b
-    fourth = a * (a**3 + 3 * np.pi**2 / 5 * b)
-    series = 1 - 2 * a / np.pi * chi + 4 * a**2 / np.pi**2 * chi**2
-    series += -8 / np.pi**3 * third * chi**3 + 16 / np.pi**4 * fourth * chi**4
-    hertz = 4 * layer.modulus_mpa / (3 * (1 - v**2)) * np.sqrt(radius_mm) * sunk_mm**1.5
-    return float(hertz * series)
+    hertz_n = 4 / 3 * layer.modulus_mpa / (1 - layer.poisson**2) * np.sqrt(radius_mm) * sunk**1.5
+    h = layer.thickness_mm
+    return float(load_n / hertz_n / sphere_load_by_theory(layer.poisson, radius_mm / h, sunk / h))
 
 
 LAYERED_PADS = {

@@ -46,7 +46,7 @@ def _closed_forms() -> None:
         for by_thickness, expected in row.items():
             off = punch_stiffness(poisson, by_thickness, nodes=40) / expected - 1
             print(f"  Poisson {poisson:.2f}, radius / thickness {by_thickness:.1f}: {off:+.2%}")
-    print(f"Sphere on a layer, against Dimitriadis 2002; limit {CLOSED_FORM_LIMIT:.0%}")
+    print(f"Sphere on a layer, against theory; limit {CLOSED_FORM_LIMIT:.0%}")
     for thickness in (30.0, 60.0, 120.0):
         off = sphere_load_ratio(20.0, Layer(thickness, 0.5, 0.3), 5.0, 0.4) - 1
         print(f"  radius 20 mm, thickness {thickness:.0f} mm: {off:+.2%}")
