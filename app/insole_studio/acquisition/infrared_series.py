@@ -18,7 +18,7 @@ _DEPTH_FRAMES = 5
 _BLOCK_PX = 8
 _LEAST_MEASURED = 0.5
 _MOVED_RAW, _MOVED_SHARE = 1.0, 0.1
-"""A millimetre or two at the foot. The noise at edges moves up to 6 % of the blocks."""
+"""Two millimetres sideways or 1.4 mm in depth at 700 mm; noise at edges moves up to 7 %."""
 
 
 class InfraredSeries:

@@ -296,6 +296,7 @@ def test_opened_from_the_menu_and_closed_with_the_program(app: Application) -> N
     assert app.features.calibrate.stage is None
 
 
+@pytest.mark.slow
 def test_the_pattern_of_dots_is_learnt_kept_and_checked(
     stage: CalibrateStage, chosen: Chosen, dots_of_walls: Path, settle, tmp_path: Path
 ) -> None:
