@@ -134,3 +134,12 @@ def test_views_see_their_markers() -> None:
     assert view_faces("left", usual) == ("sole",)
     assert view_faces("top_2", usual) == ("achilles",)
     assert view_faces("top", system("a", "b")) == ("a", "b")
+
+
+def test_views_that_do_not_disturb_each_other_are_taken_at_once_in_the_turn_of_the_first() -> None:
+    plan = make_plan([("left", "D1"), ("top", "A1"), ("right", "D2"), ("far", "D1")])
+    gathered = plan.gathered(["D1", "D2"])
+    names = [[shot.view for shot in step.shots] for step in gathered.steps]
+    assert names == [["left", "right"], ["top"], ["far"]]
+    assert [step.by_hand for step in gathered.steps] == [False, False, True]
+    assert plan.gathered([]) == plan
