@@ -108,7 +108,7 @@ def test_a_rig_of_both_kinds_takes_all_realsense_views_at_once(
     warnings = ours.capture(*VIEWS)
     names = [status.names for status in ours.told if status.phase is CapturePhase.VERIFYING]
     assert list(dict.fromkeys(names)) == [("left", "right"), ("top",)]
-    assert all("factory" in warning for warning in warnings)
+    assert sum("used as its factory calibrated it" in warning for warning in warnings) == 2
     session = read_session(ours.draft.folder)
     assert session.manifest.metric
     left, right, top = session.views
@@ -121,7 +121,8 @@ def test_a_rig_of_both_kinds_takes_all_realsense_views_at_once(
         assert (view.sensor.depth_unit_mm, view.sensor.baseline_mm) == (0.1, 55.0)
         assert view.times is not None
         assert view.times.depth_ms[0] == 0
-        assert view.times.color_apart_ms < 100
+        assert len(view.times.depth_ms) == 4
+        assert list(view.times.depth_ms) == sorted(view.times.depth_ms)
     kept = json.loads((ours.draft.folder / "manifest.json").read_text())["capture"]
     assert (kept["left"]["temperature_c"], "temperature_c" in kept["top"]) == (36.5, False)
 
