@@ -33,7 +33,8 @@ _BINS = 32
 _LARGEST_ERROR = 0.04
 _SURE = 0.3
 _LEAST_SAMPLES = 500
-_TOLERANCE_MM = 0.8
+_TOLERANCE_MM, _FULL_WIDTH = 0.8, 1280
+"""In a picture of that width; with half as many pixels an outline is known half as well."""
 
 
 def _linear_light() -> Float32Array:
@@ -171,7 +172,8 @@ def is_beside(points: FloatArray, reading: DepthView, outline: Silhouette) -> Bo
     in_color = transform(inverse(reading.color2reference), points)
     camera = reading.sensor.color_camera
     outside_px = outline.look_up(camera.project(in_color))
-    return np.asarray(outside_px * in_color[:, 2] / camera.fx > _TOLERANCE_MM)
+    tolerance_mm = _TOLERANCE_MM * max(1.0, _FULL_WIDTH / camera.width)
+    return np.asarray(outside_px * in_color[:, 2] / camera.fx > tolerance_mm)
 
 
 def within_outline(reading: DepthView, outline: Silhouette | None) -> DepthView:
