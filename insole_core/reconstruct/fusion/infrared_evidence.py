@@ -33,7 +33,8 @@ _SHARED_PX = 6
 _ROBUST = 2.5
 _LEAST_COSINE = 0.25
 _NEAR_RAW = 8.0
-_LARGEST_SHIFT_RAW = 6.0
+_LARGEST_SHIFT_RAW = 2.0
+"""Of a window; where another foot was before the sensor, most are farther from the surface."""
 _LEAST_LIKENESS, _LEAST_GAIN = 0.7, 0.2
 _LEAST_SLOPE = 1e-3
 _LARGEST_RAW = 40.0

@@ -17,7 +17,7 @@ from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.fusion.refinement import RefinedSurface, refine_near
 from insole_core.reconstruct.parallel import for_views
 
-LEAST_SHARE = 0.5
+LEAST_SHARE = 0.6
 """A picture that agrees with the pattern on less of the foot is of another pose or device."""
 _MOST_DRIFT_RAW = 0.5
 """By the sensor's own depth a foot as a whole is off by 0.1, the tendon by up to 0.4."""

@@ -108,7 +108,7 @@ def test_infrared_pictures_bring_the_foot_nearer_the_truth(
 ) -> None:
     made = reconstruct(dotted)
 
-    assert mean_error_mm(made, truth) < 0.95 * mean_error_mm(fused, truth)
+    assert mean_error_mm(made, truth) < 0.85 * mean_error_mm(fused, truth)
     depth = report_json(made, 1.0)["depth"]
     assert depth["source"] == "infrared"
     assert set(depth["trusted_share"]) == {view.name for view in dotted.views}
@@ -138,7 +138,25 @@ def test_a_pattern_that_drifted_is_told_and_moves_nothing(
     assert len(told) == len(views)
 
 
-def test_fused_they_change_nothing(dotted: Session, fused: Reconstruction) -> None:
+def test_pictures_of_another_pose_are_told_and_change_nothing(
+    dotted: Session, fused: Reconstruction, truth: TriangleMesh
+) -> None:
+    """Put back a few millimetres elsewhere, the foot is still near enough to find its dots."""
+    with zipfile.ZipFile(SMALL) as archive:
+        poses = json.loads(archive.read("truth_poses.json"))["sensor2reference"]
+    elsewhere = truth.moved(truth.vertices + [0.0, -9.0, 7.0])
+    views = []
+    for seed, view in enumerate(dotted.views):
+        picture = picture_of(view, elsewhere, np.array(poses[view.name]), seed)
+        views.append(with_picture(view, picture, pattern_of(view.sensor.serial, seed)))
+    made = reconstruct(replace(dotted, views=tuple(views)))
+
+    np.testing.assert_array_equal(made.mesh.vertices, fused.mesh.vertices)
+    told = [warning for warning in made.warnings if "of another moment, pose or sensor" in warning]
+    assert len(told) == len(views)
+
+
+def test_by_chip_they_change_nothing(dotted: Session, fused: Reconstruction) -> None:
     made = reconstruct(dotted, depth="chip")
 
     np.testing.assert_array_equal(made.mesh.vertices, fused.mesh.vertices)
