@@ -144,7 +144,7 @@ def test_pictures_of_another_pose_are_told_and_change_nothing(
     """Put back a few millimetres elsewhere, the foot is still near enough to find its dots."""
     with zipfile.ZipFile(SMALL) as archive:
         poses = json.loads(archive.read("truth_poses.json"))["sensor2reference"]
-    elsewhere = truth.moved(truth.vertices + [0.0, -9.0, 7.0])
+    elsewhere = truth.moved(truth.vertices + np.array([0.0, -9.0, 7.0]))
     views = []
     for seed, view in enumerate(dotted.views):
         picture = picture_of(view, elsewhere, np.array(poses[view.name]), seed)
