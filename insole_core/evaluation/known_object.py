@@ -8,7 +8,9 @@ from typing import Literal
 from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.find_form import find_ball, find_cylinder, find_scan
 from insole_core.evaluation.known_form import KnownForm, Scan
+from insole_core.evaluation.printed_body import PrintedBar
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.messages import Message
 
 SIZES_MM = (40.0, 400.0)
 _USUAL_TOLERANCE_MM, _USUAL_TOLERANCE = 4.0, 0.02
@@ -113,12 +115,16 @@ class KnownScan:
     Parameters
     ----------
     scan
+        As printed, where a bar was measured.
     name
         Of its file.
+    bar
+        Printed beside the body, which was drawn, not scanned.
     """
 
     scan: Scan
     name: str
+    bar: PrintedBar | None = None
 
     @property
     def size_range_mm(self) -> tuple[float, float]:
@@ -128,7 +134,11 @@ class KnownScan:
     @property
     def text(self) -> str:
         """The object in words."""
-        return f"the body of {self.name}"
+        if self.bar is None:
+            return f"the body of {self.name}"
+        return Message(
+            "the body of {name} as it was printed ({off})", name=self.name, off=self.bar.text
+        )
 
     def true_size_mm(self, fitted_mm: float) -> float:
         """Return the size of the scan itself, whatever was fitted."""

@@ -22,6 +22,7 @@ from insole_studio.cli.sensor_arguments import add_store_argument, store_folder
 
 if TYPE_CHECKING:
     from insole_core.evaluation.known_object import KnownObject
+    from insole_core.evaluation.printed_body import PrintedBar
 
 NAME = "chain"
 HELP = "the whole chain, with and without the learnt correction, against an object of known form"
@@ -52,6 +53,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             help=f"true {name}; two numbers where it is only known to lie between them",
         )  # fmt: skip
     parser.add_argument("--unit", choices=("mm", "cm", "m", "inch"), help="of the scan")
+    parser.add_argument(
+        "--bar", type=number, nargs=3, metavar=("X", "Y", "Z"),
+        help="the scan is the drawing of a printed body: edges, mm, of the bar drawn beside it",
+    )  # fmt: skip
+    parser.add_argument(
+        "--callipers", type=number, nargs=5, metavar=("X", "Y", "Z", "D", "E"),
+        help="what callipers read of the printed bar: its edges and the two diagonals of its face "
+        "in x and y, first the one from the corner of least x and y; size and skew are corrected",
+    )  # fmt: skip
     parser.add_argument(
         "--tolerance", type=number, metavar="MM",
         help="how far the measured diameter may be off before it counts as another object "
@@ -95,6 +105,8 @@ def _known(arguments: argparse.Namespace) -> KnownObject:
                 "--tolerance."
             )
         return _scan(arguments)
+    if arguments.bar is not None or arguments.callipers is not None:
+        raise UsageError("--bar and --callipers are of a printed body; name its file with --scan.")
     if arguments.unit is not None:
         raise UsageError("--unit is that of a --scan; sizes are given in millimetres.")
     from insole_core.evaluation.known_object import KnownRound
@@ -121,7 +133,22 @@ def _scan(arguments: argparse.Namespace) -> KnownObject:
     from insole_core.evaluation.known_object import KnownScan
     from insole_core.scans.mesh_file import read_mesh
 
+    bar = _bar(arguments)
     read = read_mesh(arguments.scan, arguments.unit)
     for note in read.notes:
         print(visible_line(f"{arguments.scan.name}: {note}"), file=sys.stderr)
-    return KnownScan(Scan(read.mesh), arguments.scan.name)
+    mesh = read.mesh if bar is None else bar.printed(read.mesh)
+    return KnownScan(Scan(mesh), arguments.scan.name, bar)
+
+
+def _bar(arguments: argparse.Namespace) -> PrintedBar | None:
+    if (arguments.bar is None) != (arguments.callipers is None):
+        raise UsageError(
+            "Give both the drawn edges of the printed bar (--bar) and its readings (--callipers)."
+        )
+    if arguments.bar is None:
+        return None
+    from insole_core.evaluation.printed_body import PrintedBar
+
+    *edges, first, second = arguments.callipers
+    return PrintedBar(tuple(arguments.bar), tuple(edges), (first, second))

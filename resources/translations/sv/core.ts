@@ -188,6 +188,10 @@
             <translation>En fot på {length_mm:.0f} mm begärs, men fötter är {least:.0f} till {most:.0f} mm långa; rätta längden eller skostorleken.</translation>
         </message>
         <message>
+            <source>A length of the printed bar is not above 0; measure it again.</source>
+            <translation>En längd på den utskrivna staven är inte större än 0; mät den igen.</translation>
+        </message>
+        <message>
             <source>A line on a photo has at most {most} points; draw it in parts.</source>
             <translation>En linje på ett foto har högst {most} punkter; rita den i delar.</translation>
         </message>
@@ -594,6 +598,10 @@
         <message>
             <source>Brush stroke</source>
             <translation>Penseldrag</translation>
+        </message>
+        <message>
+            <source>By its edges the diagonals of the printed bar are {edges:.1f} mm in the mean, but {diagonals:.1f} mm was read; measure edges and diagonals again.</source>
+            <translation>Av sina kanter har den utskrivna staven diagonaler på i medel {edges:.1f} mm, men {diagonals:.1f} mm lästes av; mät kanter och diagonaler igen.</translation>
         </message>
         <message>
             <source>By its place in the box this is the {place} foot, by its shape a {told} one; say which foot it is.</source>
@@ -3834,6 +3842,10 @@
         <message>
             <source>The pressure under the {side} foot lies nowhere {zone}; change the limits or leave the zone out.</source>
             <translation>Trycket under foten ({side}) ligger ingenstans i zonen {zone}; ändra gränserna eller utelämna zonen.</translation>
+        </message>
+        <message>
+            <source>The print is off by {off}; up to {most:g} % and {skew:g}° are corrected. Calibrate the printer and print the body again.</source>
+            <translation>Utskriften avviker med {off}; upp till {most:g} % och {skew:g}° korrigeras. Kalibrera skrivaren och skriv ut kroppen igen.</translation>
         </message>
         <message>
             <source>The processor draws, which is slow: install the driver of the graphics card.</source>
@@ -8048,6 +8060,10 @@
             <translation>de blå fläckarna ligger {rms_px:.1f} px från där markörerna borde synas; kontrollera att referenssystemet och kalibreringen är de rätta</translation>
         </message>
         <message>
+            <source>the body of {name} as it was printed ({off})</source>
+            <translation>kroppen i {name} så som den skrevs ut ({off})</translation>
+        </message>
+        <message>
             <source>the clinic's own judgement</source>
             <translation>klinikens egen bedömning</translation>
         </message>
@@ -8494,6 +8510,10 @@
         <message>
             <source>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</source>
             <translation>x = {x_mm:.0f} mm, y = {y_mm:.0f} mm</translation>
+        </message>
+        <message>
+            <source>x {x:+.2f} %, y {y:+.2f} %, z {z:+.2f} %, skew {skew:+.2f}°</source>
+            <translation>x {x:+.2f} %, y {y:+.2f} %, z {z:+.2f} %, skevhet {skew:+.2f}°</translation>
         </message>
         <message>
             <source>x {x:.1f} – {x_end:.1f}, y {y:.1f} – {y_end:.1f} mm from the zero; its toes towards {direction}</source>

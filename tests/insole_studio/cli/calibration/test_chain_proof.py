@@ -178,6 +178,8 @@ def test_no_session_counts_twice(session: Path) -> None:
         (["--ball", "--diameter", "120", "--tolerance", "-1"], "tolerance"),
         (["--ball", "--diameter", "120", "--unit", "mm"], "--unit is that of a --scan"),
         (["--scan", "nowhere.stl", "--diameter", "120"], "tells the size itself"),
+        (["--ball", "--bar", "50", "50", "50"], "are of a printed body"),
+        (["--scan", "nowhere.stl", "--bar", "50", "50", "50"], "Give both the drawn edges"),
     ],
 )
 def test_wrong_calls(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
