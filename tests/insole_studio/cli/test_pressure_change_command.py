@@ -87,14 +87,13 @@ def test_against_itself_nothing_changes_and_the_material_that_is_assumed_is_told
     assert "Shore A 35 is assumed" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("unsure", [{"shell": None}, {"layers": {"cover_mm": 3}}])
 def test_what_is_not_known_of_the_old_insole_widens_the_limits(
-    foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], unsure: dict[str, Any]
+    foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     named: dict[str, Any] = {"shell": {"material": "EVA, Shore A 35"}, "thickness_mm": 6}
     new = design(tmp_path, "new.json", **named)
-    widths = []
-    for number, more in enumerate(({}, unsure)):
+    widths: list[float] = []
+    for number, more in enumerate(({}, {"shell": None}, {"layers": {"cover_mm": 3}})):
         content = {**named, **more, "thickness_mm": 8}
         given = {key: value for key, value in content.items() if value is not None}
         old = design(tmp_path, "old.json", **given)
@@ -103,7 +102,7 @@ def test_what_is_not_known_of_the_old_insole_widens_the_limits(
         assert ("A design " in capsys.readouterr().err) is bool(more)
         low, high = json.loads(report.read_text())["regions"]["heel"]["limits_95"]
         widths.append(high - low)
-    assert widths[1] > widths[0] + 0.01
+    assert min(widths[1:]) > widths[0] + 0.01
 
 
 @pytest.mark.parametrize(
