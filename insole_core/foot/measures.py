@@ -158,7 +158,8 @@ NOT_MARKED = frozenset({"navicular_height"})
 
 _LENGTH = ("pternion", "toe_tip_1", "toe_tip_2")
 _BALL = ("metatarsale_tibiale", "metatarsale_fibulare")
-_AT_SIDES = frozenset({*_BALL, "heel_medial", "heel_lateral"})
+_SIDES = (*_BALL, "heel_medial", "heel_lateral")
+"""Of ball and heel, between which the places below heel and heads are found."""
 _STANDS_ON = {
     "foot_length": _LENGTH,
     "ball_width": _BALL,
@@ -166,6 +167,10 @@ _STANDS_ON = {
     "ball_length": ("pternion", "metatarsale_tibiale"),
     "heel_width": ("heel_medial", "heel_lateral"),
     "ball_girth": _BALL,
+    "arch_height": _SIDES,
+    "arch_height_index": (*_LENGTH, *_BALL),
+    "arch_index": _SIDES,
+    "forefoot_angle_deg": _SIDES,
     "shoe_size_eu": _LENGTH,
     "shoe_size_uk": _LENGTH,
     "shoe_size_us": _LENGTH,
@@ -218,7 +223,7 @@ def deviations_mm(landmarks: Landmarks) -> dict[str, float]:
 def _end_deviation_mm(landmarks: Landmarks, end: str, size: str) -> float:
     """Return what one end adds to the standard deviation of a size, mm."""
     own = landmarks[end].deviation_mm or 0.0
-    if end not in _AT_SIDES:
+    if end not in _SIDES:
         return _LESS * own
     across = float(np.hypot(own, _HEEL_SIDE_MM if end.startswith("heel") else _SIDE_MM))
     if size == "ball_length":

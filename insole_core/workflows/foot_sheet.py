@@ -237,7 +237,7 @@ def write_foot_sheet(
     Parameters
     ----------
     sources
-        The scans of the feet.
+        The scans of the feet; of a mirror image the sheet says that it was not measured.
     identification
         Whose feet they are, such as a pseudonym; empty for nothing.
     say
@@ -259,6 +259,9 @@ def write_foot_sheet(
     paper.write_report(say(Message("Measures of the feet")), sections, picture.getvalue(), path)
 
 
+_MIRRORED = Message("none of its own: this foot is a mirror image of the other one")
+
+
 def _sections(
     feet: Mapping[Side, MeasuredFoot], sources: Mapping[Side, ScanSource], identification: str
 ) -> Iterator[tuple[str, dict[str, str]]]:
@@ -278,6 +281,9 @@ def _sections(
         told = {_name(n): _told(n, foot) for n, value in foot.values.items() if value is not None}
         captured: dict[str, str] = {Message("captured"): _captured(sources.get(side))}
         yield Message("{side} foot", side=str(side)), captured | told
+    for side, source in sources.items():
+        if source.mirrored:
+            yield Message("{side} foot", side=str(side)), {Message("measures"): _MIRRORED}
     rows = [row for row in measure_table(feet) if row.difference is not None]
     if rows:
         differences = {_name(row.key): _difference_text(row) for row in rows}

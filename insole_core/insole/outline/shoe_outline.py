@@ -8,7 +8,7 @@ import numpy as np
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
-from insole_core.foot.measures import PARIS_MM, shoe_size_eu
+from insole_core.foot.measures import PARIS_MM, is_length_seen, shoe_size_eu
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.outline.insole_outline import full_outline, insole_outline, shoe_inside
 from insole_core.insole.outline.shoe_fit import fit_in
@@ -93,6 +93,8 @@ class ShoeOutline:
         Of the chosen shoe; empty for a usual one.
     size_eu, inside_mm
         Size in Paris points, and the inside's length.
+    is_guess
+        Whether the size follows from a foot whose heel or toes were not scanned.
     inside : (n, 3) float64
         Closed curve around the surface of the last, on which the underside of the insole rests.
     ground : (n, 3) float64
@@ -112,6 +114,7 @@ class ShoeOutline:
     name: str
     size_eu: float
     inside_mm: float
+    is_guess: bool
     inside: FloatArray
     ground: FloatArray
     heel: FloatArray
@@ -127,7 +130,8 @@ def shoe_outline(foot: Foot, design: InsoleDesign) -> ShoeOutline:
     The size of a usual one is that of the design's outline; else that of the foot, with 15 mm
     before the toes.
     """
-    size = design.outline.shoe_size_eu or shoe_size_eu(foot.length_mm)
+    given = design.outline.shoe_size_eu
+    size = given or shoe_size_eu(foot.length_mm)
     room = Outline(
         source="shoe_size",
         shoe_size_eu=size,
@@ -152,6 +156,7 @@ def shoe_outline(foot: Foot, design: InsoleDesign) -> ShoeOutline:
         "" if worn is None else worn.name,
         size if chosen is None else length_mm / PARIS_MM,
         length_mm,
+        chosen is None and not given and not is_length_seen(find_landmarks(foot)),
         on_last(inside),
         on_ground(sole),
         np.concatenate([on_last(back), on_ground(back)]),

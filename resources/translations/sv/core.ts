@@ -7276,6 +7276,10 @@
             <translation>ingen är ansluten</translation>
         </message>
         <message>
+            <source>none of its own: this foot is a mirror image of the other one</source>
+            <translation>inga egna: den här foten är en spegelbild av den andra</translation>
+        </message>
+        <message>
             <source>none yet</source>
             <translation>ingen ännu</translation>
         </message>

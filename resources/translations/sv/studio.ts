@@ -932,6 +932,10 @@
             <translation>Kontur av en sko EU {size:g}</translation>
         </message>
         <message>
+            <source>Outline of a shoe, its size a guess: the heel or the toes were not scanned</source>
+            <translation>Kontur av en sko, storleken gissad: hälen eller tårna skannades inte</translation>
+        </message>
+        <message>
             <source>Parameters</source>
             <translation>Parametrar</translation>
         </message>

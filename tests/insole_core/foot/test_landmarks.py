@@ -243,6 +243,23 @@ def test_measures_that_stand_on_a_badly_seen_place_are_named(left_mesh, left_foo
     assert "heel_width" not in found
 
 
+@pytest.mark.parametrize(
+    ("outward", "missing_mm", "end"),
+    [(1, 12.0, "metatarsale tibiale"), (-1, 20.0, "heel lateral")],
+)
+def test_what_stands_on_a_missing_side_is_doubtful(left_mesh, left_foot, outward, missing_mm, end):
+    whole = measure_foot(left_foot, find_landmarks(left_foot), is_recorded=True)
+    out = left_mesh.vertices[:, 0] * Side.LEFT.medial_sign * outward
+    mesh = left_mesh.part(out < out.max() - missing_mm)
+    foot = place_foot(mesh, Side.LEFT, frame="reference")
+    part = measure_foot(foot, find_landmarks(foot), is_recorded=True)
+    for name in ("arch_height", "forefoot_angle_deg"):
+        assert whole.spread(name).limits_95 is not None
+        assert part.values[name] is not None
+        assert end in part.doubts[name]
+        assert part.spread(name).limits_95 is None
+
+
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.parametrize("session", ["left_a", "right_b"])

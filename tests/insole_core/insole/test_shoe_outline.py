@@ -47,6 +47,15 @@ def test_the_size_of_the_prescription_goes_before(foot: Foot) -> None:
     assert (shoe.size_eu, shoe.inside_mm) == (44.0, pytest.approx(293.3, abs=0.1))
 
 
+def test_a_size_by_a_foot_without_toes_is_a_guess(foot: Foot) -> None:
+    y = foot.mesh.vertices[:, 1]
+    toeless = replace(foot, mesh=foot.mesh.part(y < 0.75 * foot.length_mm))
+    given = Outline(source="shoe_size", shoe_size_eu=44.0)
+    assert shoe_outline(toeless, InsoleDesign(foot.side)).is_guess
+    assert not shoe_outline(foot, InsoleDesign(foot.side)).is_guess
+    assert not shoe_outline(toeless, InsoleDesign(foot.side, outline=given)).is_guess
+
+
 def test_the_heel_stands_as_high_as_it_is_prescribed(foot: Foot) -> None:
     lifts = (HeelLift(height_mm=3.0), HeelLift(height_mm=5.0, enabled=False))
     design = InsoleDesign(foot.side, lifts, shell=Shell(heel_pitch_mm=12.0))

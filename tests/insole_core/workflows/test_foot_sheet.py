@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -106,6 +107,17 @@ def test_a_foot_sheet_tells_days_doubts_and_differences(sheet: dict[str, dict[st
     assert left["achilles lean"] == "≈ 6.0 ± ?° medial: the leg was seen in part only"
     assert "ball girth" not in left
     assert sheet["Left foot minus right foot"] == {"foot length": "+1.0 ± 2.0 mm: within the error"}
+
+
+def test_a_foot_sheet_says_which_foot_is_a_mirror_image(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[tuple[str, dict[str, str]]] = []
+    monkeypatch.setattr(paper, "write_report", lambda _, sections, *__: told.extend(sections))
+    sources = {Side.LEFT: SCAN, Side.RIGHT: replace(SCAN, mirrored=True)}
+    write_foot_sheet({Side.LEFT: FOOT}, sources, tmp_path / "sheet.pdf")
+    assert "foot length" in dict(told)["left foot"]
+    assert "mirror image" in dict(told)["right foot"]["measures"]
 
 
 def test_mirror_images_alone_make_no_sheet(tmp_path: Path) -> None:

@@ -83,7 +83,7 @@ def shoe_lines(shoe: ShoeOutline) -> GuideLines:
 
 def _text(shoe: ShoeOutline) -> str:
     parts = [
-        shoe.name or fill(tr("Outline of a shoe EU {size:g}"), size=shoe.size_eu),
+        shoe.name or _usual_text(shoe),
         fill(tr("Heel of the shoe {mm:.1f} mm"), mm=shoe.pitch_mm),
     ]
     if shoe.most_over_mm > 0:
@@ -91,6 +91,12 @@ def _text(shoe: ShoeOutline) -> str:
     if shoe.lift_mm > 0:
         parts.append(fill(tr("Heel lift {mm:.1f} mm"), mm=shoe.lift_mm))
     return "\n  ".join(parts)
+
+
+def _usual_text(shoe: ShoeOutline) -> str:
+    if shoe.is_guess:
+        return tr("Outline of a shoe, its size a guess: the heel or the toes were not scanned")
+    return fill(tr("Outline of a shoe EU {size:g}"), size=shoe.size_eu)
 
 
 def _closed(curve: FloatArray) -> FloatArray:
