@@ -16,7 +16,14 @@ from realsense_d400 import cameras, usb_places
 from realsense_d400.bandwidth import StreamSize, check_controller
 from realsense_d400.camera import Camera, Frame
 from realsense_d400.cameras import RecordedCameras, SystemCameras, list_cameras
-from realsense_d400.emulation import EmulatedCamera, EmulatedCameras, Make, record
+from realsense_d400.emulation import (
+    EXPOSURE_US,
+    GAIN,
+    EmulatedCamera,
+    EmulatedCameras,
+    Make,
+    record,
+)
 from realsense_d400.errors import (
     BandwidthError,
     LibraryMissingError,
@@ -238,7 +245,10 @@ def test_exposure_is_held_once_there_is_a_picture_and_freed(
     taken(opened.poll_depth, 1)
     taken(opened.poll_color, 1)
     opened.hold_exposure()
-    assert chooses() == [0.0, 0.0]
+    assert chooses() == [0.0, 1.0]
+    stereo = made.device.query_sensors()[0]
+    held = [stereo.get_option(key) for key in (option.exposure, option.gain)]
+    assert held == [EXPOSURE_US, GAIN]
     opened.free_exposure()
     assert chooses() == [1.0, 1.0]
     assert opened.temperature_c == 36.5

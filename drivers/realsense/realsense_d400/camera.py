@@ -248,26 +248,33 @@ class Camera:
         self._halt("color")
 
     def hold_exposure(self) -> None:
-        """Keep exposure and gain as they are, of depth and colour, once there was a frame."""
-        rs = self._rs
-        if self._held or not {"depth", "color"} <= self._last.keys():
+        """Keep exposure and gain of the depth as they are, once there was a frame that tells them.
+
+        Colour goes on as it is: a capture takes one picture of it.
+        """
+        frame = self._last.get("depth")
+        if self._held or frame is None:
             return
+        told_by = self._rs.frame_metadata_value
+        values = {"exposure": told_by.actual_exposure, "gain": told_by.gain_level}
+        self._held = True
         with told(self.serial):
-            for kind, sensor in (("depth", self._depth_sensor), ("color", self._color_sensor)):
-                frame, self._held = self._last[kind], True
-                self._set(sensor, "enable_auto_exposure", 0.0)
-                for key, metadata in (("exposure", "actual_exposure"), ("gain", "gain_level")):
-                    value = getattr(rs.frame_metadata_value, metadata)
-                    if frame.supports_frame_metadata(value):
-                        self._set(sensor, key, float(frame.get_frame_metadata(value)))
+            known = {
+                name: float(frame.get_frame_metadata(value))
+                for name, value in values.items()
+                if frame.supports_frame_metadata(value)
+            }
+            if known.keys() == values.keys():
+                self._set(self._depth_sensor, "enable_auto_exposure", 0.0)
+                for name, value in known.items():
+                    self._set(self._depth_sensor, name, value)
 
     def free_exposure(self) -> None:
         """Let the camera choose exposure and gain again."""
         if self._held:
             self._held = False
             with told(self.serial):
-                for sensor in (self._depth_sensor, self._color_sensor):
-                    self._set(sensor, "enable_auto_exposure", 1.0)
+                self._set(self._depth_sensor, "enable_auto_exposure", 1.0)
 
     def poll_depth(self) -> Frame | None:
         """Return the next depth picture if one is waiting.

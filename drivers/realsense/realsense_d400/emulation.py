@@ -22,6 +22,8 @@ from realsense_d400.library import library
 from realsense_d400.usb_places import UsbPlace
 
 _MM_PER_M = 1000.0
+EXPOSURE_US, GAIN = 8500, 16
+"""What an emulated camera chooses by itself."""
 _PATIENCE_S = 60.0
 
 
@@ -114,6 +116,8 @@ class EmulatedCamera:
             option.emitter_enabled: (2, 1),
             option.laser_power: (360, 150),
             option.visual_preset: (5, 0),
+            option.exposure: (165_000, 33_000),
+            option.gain: (248, 20),
         }
         for key, (most, default) in limits.items():
             self._stereo.add_option(key, _range(rs, 0, most, default), True)
@@ -159,6 +163,10 @@ class EmulatedCamera:
         frame.frame_number, frame.profile = number, profile
         if image.dtype == np.uint16:
             frame.depth_units = self.calibration.depth_unit_mm / _MM_PER_M
+        if sensor is self._stereo:
+            told = rs.frame_metadata_value
+            sensor.set_metadata(told.actual_exposure, EXPOSURE_US)
+            sensor.set_metadata(told.gain_level, GAIN)
         sensor.on_video_frame(frame)
 
 
