@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
     QFormLayout,
+    QHBoxLayout,
     QLabel,
     QPushButton,
     QStackedWidget,
@@ -63,6 +64,7 @@ class LoadDialog(QDialog):
         self.table.setMinimumHeight(_TABLE_PX)
         self.area = QLabel()
         self.region = ComboBox([(_FLAT, tr("no target"))])
+        self.region.setAccessibleName(tr("Target in"))
         self.percent = NumberField("%", least=-100, greatest=100, step=5, decimals=0)
         self.percent.show_value(_USUAL_TARGET)
         self.chart = DoseChart()
@@ -176,10 +178,14 @@ class LoadDialog(QDialog):
             (tr("Body weight"), self.weight),
             (tr("Posture"), self.posture),
             (tr("Compared with"), self.against),
-            (tr("Target in"), self.region),
-            (tr("Change there"), self.percent),
         ):
             form.addRow(label, field)
+        self.percent.setAccessibleName(tr("Change there"))
+        self.percent.setToolTip(tr("Change there"))
+        target = QHBoxLayout()  # in one row: the window has to fit on a screen of 768 lines
+        target.addWidget(self.region, 1)
+        target.addWidget(self.percent)
+        form.addRow(tr("Target in"), target)
         form.addRow(self.fit)
         mark_labels(form)
         sentence = QLabel(translate_core_message(SENTENCE))
