@@ -31,6 +31,11 @@ _EXAGGERATED = 2.0
 _ANKLE, _HEEL_LONG, _LEG_LONG = np.array([0.0, 60.0]), 52.0, 130.0
 _LEG, _HEEL, _QUIET = "#1f5fa8", "#b5541c", "0.45"
 _ARC_STEPS = 40
+_WEIGHTS = {
+    "none": Message("none stated"),
+    "semi": Message("semi-weight-bearing"),
+    "full": Message("full weight-bearing"),
+}
 _CONVENTION = Message(
     "Seen from behind, angles twice as large. Blue: Achilles tendon; brown: calcaneus; grey: "
     "normal of the sole (dashed), upright of the scan (dotted). An angle is 0 where its two lines "
@@ -225,6 +230,13 @@ def _captured(source: ScanSource | None) -> str:
     return day or Message("not known")
 
 
+def _weight(source: ScanSource | None) -> str:
+    """Return how much weight was on a foot, as far as a session says."""
+    if source is None or source.kind != "session":
+        return Message("not known")
+    return _WEIGHTS[source.weight_bearing]
+
+
 def write_foot_sheet(
     feet: Mapping[Side, MeasuredFoot],
     sources: Mapping[Side, ScanSource],
@@ -279,7 +291,10 @@ def _sections(
     yield Message("What"), head
     for side, foot in feet.items():
         told = {_name(n): _told(n, foot) for n, value in foot.values.items() if value is not None}
-        captured: dict[str, str] = {Message("captured"): _captured(sources.get(side))}
+        captured: dict[str, str] = {
+            Message("captured"): _captured(sources.get(side)),
+            Message("weight bearing"): _weight(sources.get(side)),
+        }
         yield Message("{side} foot", side=str(side)), captured | told
     for side, source in sources.items():
         if source.mirrored:

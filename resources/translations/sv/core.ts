@@ -6072,6 +6072,10 @@
             <translation>hel längd</translation>
         </message>
         <message>
+            <source>full weight-bearing</source>
+            <translation>belastad</translation>
+        </message>
+        <message>
             <source>full-length lift</source>
             <translation>hel höjning</translation>
         </message>
@@ -7280,6 +7284,10 @@
             <translation>inga egna: den här foten är en spegelbild av den andra</translation>
         </message>
         <message>
+            <source>none stated</source>
+            <translation>ingen angiven</translation>
+        </message>
+        <message>
             <source>none yet</source>
             <translation>ingen ännu</translation>
         </message>
@@ -7814,6 +7822,10 @@
         <message>
             <source>selects {word}, and the program is made for {chosen}; take that word out, or set work_offset</source>
             <translation>väljer {word}, och programmet görs för {chosen}; ta bort det ordet eller ange work_offset</translation>
+        </message>
+        <message>
+            <source>semi-weight-bearing</source>
+            <translation>delvis belastad</translation>
         </message>
         <message>
             <source>sends no infrared pictures; choose one that does</source>
@@ -8474,6 +8486,10 @@
         <message>
             <source>watertight</source>
             <translation>vattentät</translation>
+        </message>
+        <message>
+            <source>weight bearing</source>
+            <translation>belastning</translation>
         </message>
         <message>
             <source>weight in kg</source>

@@ -90,7 +90,12 @@ def sheet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> dict[str, dict[str
 
     monkeypatch.setattr(paper, "write_report", note)
     feet = {Side.LEFT: FOOT, Side.RIGHT: other}
-    write_foot_sheet(feet, {Side.LEFT: SCAN}, tmp_path / "sheet.pdf", identification="K-7")
+    write_foot_sheet(
+        feet,
+        {Side.LEFT: replace(SCAN, weight_bearing="semi")},
+        tmp_path / "sheet.pdf",
+        identification="K-7",
+    )
     assert (tmp_path / "sheet.pdf").read_bytes().startswith(b"%PDF")
     return dict(told)
 
@@ -103,6 +108,7 @@ def test_a_foot_sheet_tells_days_doubts_and_differences(sheet: dict[str, dict[st
     )
     left, right = sheet["left foot"], sheet["right foot"]
     assert (left["captured"], right["captured"]) == ("2025-03-07", "not known")
+    assert (left["weight bearing"], right["weight bearing"]) == ("semi-weight-bearing", "not known")
     assert left["foot length"] == "251.0 ± 1.4 mm"
     assert left["achilles lean"] == "≈ 6.0 ± ?° medial: the leg was seen in part only"
     assert "ball girth" not in left
