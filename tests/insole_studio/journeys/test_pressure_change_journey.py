@@ -103,7 +103,7 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     act(app, "export")
     stage_of_export = app.features.export.stage
     assert stage_of_export is not None
-    qtbot.waitUntil(lambda: bool(stage_of_export.presenter.parts), timeout=60_000)
+    qtbot.waitUntil(lambda: bool(stage_of_export.presenter.parts))
     (part,) = stage_of_export.presenter.parts
     assert part.told == lines
     stage_of_export.close()
