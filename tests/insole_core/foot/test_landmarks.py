@@ -54,7 +54,7 @@ def true_sizes_mm(model: FootModel) -> dict[str, float]:
     ahead = (np.array(model.landmarks_mm["toe_tip_2"]) * mirror - rear)[:2]
     along = ahead / np.hypot(*ahead)
     way, across = (low - rear)[:, :2] @ along, low[:, :2] @ [along[1], -along[0]]
-    heel = across[(way > 0.1 * way.max()) & (way < 0.22 * way.max())]
+    heel = across[(way > 0.15 * way.max()) & (way < 0.2 * way.max())]
     share = (low[:, 1] - rear[1]) / np.ptp(low[:, 1])
     medial, lateral = low[(share > 0.6) & (share < 0.8)], low[(share > 0.5) & (share < 0.75)]
     ball = medial[medial[:, 0].argmax()] - lateral[lateral[:, 0].argmin()]
@@ -116,11 +116,11 @@ def test_a_sole_without_side_walls_is_measured_by_its_outlines(model):
     sole = model.mesh.part(model.mesh.vertex_normals[:, 2] < -0.6)
     foot = place_foot(replace(sole, touches=touches), model.shape.side, frame="reference")
     landmarks = find_landmarks(foot)
-    got, shape = measure(foot, landmarks), model.shape
-    assert got["foot_length"] == pytest.approx(shape.length_mm, abs=1.5)
-    # Two views see the ball's sides from below only; how they go on above is the usual radius.
-    assert got["ball_width"] == pytest.approx(true_sizes_mm(model)["ball_width"], abs=2.2)
-    assert got["heel_width"] == pytest.approx(shape.heel_width_mm, abs=1.5)
+    got, true = measure(foot, landmarks), true_sizes_mm(model)
+    assert got["foot_length"] == pytest.approx(model.shape.length_mm, abs=1.5)
+    # Two views see the sides from below only; how they go on above is the usual radius.
+    assert got["ball_width"] == pytest.approx(true["ball_width"], abs=2.2)
+    assert got["heel_width"] == pytest.approx(true["heel_width"], abs=2.4)
     deviation_mm = deviations_mm(landmarks)
     assert 0.3 < deviation_mm["foot_length"] < 1.5
     bare = find_landmarks(place_foot(sole, model.shape.side, frame="reference"))

@@ -66,6 +66,7 @@ WITHOUT_FIELD = {
     "InsoleDesign": ["margin_mm"],
     "Outline": ["points_mm"],
     "Finish": ["arch_fill_mm"],
+    "Layers": ["cover_material", "shell_material", "base_material"],
     "Shell": ["material", "body_weight_kg", "least_mm", "least_edge_mm", "trim_mm"],
     "Post": ["region", "length_mm", "edge_radius_mm"],
 }
