@@ -42,8 +42,6 @@ _SUMMIT_MM = 1.0  # depth of the strips about whose middle an arc is fitted
 _TOP_MM = 5.0  # to either side of the summit, whose strips tell how far it reaches
 _ARC = 0.45
 """Share of its radius, to either side of its outermost point, in which a border is like an arc."""
-USUAL_MM = 12.0
-"""Distance from its usual position at which an end must lie one millimetre farther out."""
 
 
 @dataclass(frozen=True)
@@ -57,12 +55,15 @@ class UsualBorder:
         begins, in its middle, where it ends, and the standard deviation of each.
     bend_mm
         Radius of the border as seen from below.
+    pull_mm
+        Distance from its usual position at which its end must lie one millimetre farther out.
     """
 
     height_mm: tuple[float, float, float, float]
     below_mm: tuple[float, float, float, float]
     above_mm: tuple[float, float, float, float]
     bend_mm: float
+    pull_mm: float
 
     def scaled(self, factor: float) -> UsualBorder:
         """Scale all lengths, for a foot of another size."""
@@ -70,7 +71,7 @@ class UsualBorder:
             (factor * rear, factor * middle, factor * front, factor * spread)
             for rear, middle, front, spread in (self.height_mm, self.below_mm, self.above_mm)
         )
-        return UsualBorder(height, below, above, factor * self.bend_mm)
+        return UsualBorder(height, below, above, factor * self.bend_mm, self.pull_mm)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +93,9 @@ class BorderFit:
     deviation_mm: FloatArray
     touched: FloatArray
 
-    def summit(self, counts: BoolArray, bend_mm: float, usual_mm: float | None) -> Extremum:
+    def summit(
+        self, counts: BoolArray, bend_mm: float, usual_mm: float = 0.0, pull_mm: float = np.inf
+    ) -> Extremum:
         """Find where the border reaches farthest.
 
         Its usual bend is fitted to all strips near the farthest one: often a single strip is the
@@ -105,15 +108,17 @@ class BorderFit:
         bend_mm
             See `UsualBorder`.
         usual_mm
-            Usual position across the direction; away from it the border must reach farther to be
-            rated as far. None when there is none.
+            Usual position across the direction.
+        pull_mm
+            Distance from it at which the border must reach one millimetre farther to be rated as
+            far; infinite where no position is usual.
 
         Returns
         -------
         Extremum
         """
-        pull = 0.0 if usual_mm is None else USUAL_MM**-2
-        aside = self.across_mm - (usual_mm or 0.0)
+        pull = pull_mm**-2
+        aside = self.across_mm - usual_mm
         rated = np.where(counts, self.reach_mm - pull * aside**2, -np.inf)
         highest = np.maximum(rated - rated[counts].max() + _SUMMIT_MM, 0.0)
         middle = float(highest @ self.across_mm / highest.sum())

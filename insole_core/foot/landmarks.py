@@ -33,7 +33,7 @@ NAMES = (
 )  # fmt: skip
 
 _TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.75)  # shares of the length where the ball is widest
-_USUAL_TIBIALE, _USUAL_FIBULARE, _USUAL_HEEL = 0.735, 0.64, 0.175
+_USUAL_TIBIALE, _USUAL_FIBULARE, _USUAL_HEEL = 0.737, 0.64, 0.175
 _HEEL, _REAR = (0.15, 0.20), (0.0, 0.12)
 _HEEL_CENTRE = 0.16
 _MEDIAL, _LATERAL = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
@@ -45,10 +45,10 @@ _HEADS = np.array(
 _FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
 """From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
 _BEHIND = UsualEnd((22.0, 8.0), (32.0, 6.0), (25.0, 10.0))
-_MEDIAL_HEEL = UsualBorder((29, 29, 31, 4), (26, 27, 29, 5), (60, 60, 60, 40), 80)
-_LATERAL_HEEL = UsualBorder((26, 26, 28, 4), (22, 23, 25, 5), (60, 60, 60, 40), 80)
-_MEDIAL_BORDER = UsualBorder((22, 18, 18, 6), (22, 20, 20, 9), (26, 24, 20, 10), 50)
-_LATERAL_BORDER = UsualBorder((13, 12.5, 12, 4), (10, 10, 10, 5), (14, 13, 12, 8), 50)
+_MEDIAL_HEEL = UsualBorder((29, 29, 31, 4), (26, 27, 29, 5), (60, 60, 60, 40), 80, 12)
+_LATERAL_HEEL = UsualBorder((26, 26, 28, 4), (22, 23, 25, 5), (60, 60, 60, 40), 80, 12)
+_MEDIAL_BORDER = UsualBorder((22, 18, 18, 6), (22, 20, 20, 9), (26, 24, 20, 10), 50, 8)
+_LATERAL_BORDER = UsualBorder((13, 12.5, 12, 4), (10, 10, 10, 5), (14, 13, 12, 8), 50, 30)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
 _ARCH_RISE_MM = 3.0  # least height of a clear arch
 _OF_HEEL = ("pternion", "heel_medial", "heel_lateral")

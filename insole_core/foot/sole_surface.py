@@ -9,7 +9,6 @@ import numpy as np
 import scipy
 
 from insole_core.foot.border_fit import (
-    USUAL_MM,
     BorderFit,
     Extremum,
     UsualBorder,
@@ -45,6 +44,8 @@ _TURN = 0.4  # before the last measured cosine, over which the border is continu
 _MOST_MM, _CONTINUED = 6.0, 0.35  # how far an end is continued at most, and its confidence then
 _BORDER_RADIUS_MM = 16.0
 _RADIUS_SPREAD_MM, _ROUGHNESS_MM = 4.0, 1.0
+_PULL_MM = 12.0
+"""Distance from its usual position at which a frayed end must lie one millimetre farther out."""
 _LEAST_POINTS = 6
 _FRAYED_MM = (1.5, 3.0)  # from the boundary of an open surface, where it counts in part
 _FRONT_MM = 6.0  # least way from the side of a foot to the end of the scan
@@ -205,7 +206,7 @@ class SoleSurface:
             return end
         points, area_mm2 = region.points, region.area_mm2
         strips = measured_border(points, area_mm2, towards, (low, high))
-        summit = strips.summit(strips.touched > 0, scaled.bend_mm, None)
+        summit = strips.summit(strips.touched > 0, scaled.bend_mm)
         found = _point(summit, strips, towards)
         return replace(end, point=whole * found + (1 - whole) * end.point)
 
@@ -260,7 +261,7 @@ class SoleSurface:
         if not trusted.any():
             unseen_mm = None if end.confidence < _CUT_OFF else _UNSEEN_MM
             return replace(end, confidence=min(end.confidence, _UNSEEN), deviation_mm=unseen_mm)
-        summit = fit.summit(trusted, usual.bend_mm, usual_mm)
+        summit = fit.summit(trusted, usual.bend_mm, usual_mm, usual.pull_mm)
         deviation_mm = float(fit.deviation_mm[summit.strip])
         confidence = SURE - _DOUBT * max(deviation_mm - CERTAIN_MM, 0.0)
         return End(_point(summit, fit, direction), float(confidence), deviation_mm)
@@ -321,7 +322,7 @@ def _end(
     rated = along
     if usual_mm is not None:  # the border itself, where it was measured, is the best evidence
         across = points @ np.array([-direction[1], direction[0], 0.0])
-        rated = along - short * ((across - usual_mm) / USUAL_MM) ** 2
+        rated = along - short * ((across - usual_mm) / _PULL_MM) ** 2
     place = cap(points, rated, area_mm2, _CAP_MM)
     turning = float(ramp(faced, _TURNING)) if near.sum() >= _LEAST_POINTS else 0.0
     end_mm, confidence = top, GUESS + (SURE - GUESS) * turning

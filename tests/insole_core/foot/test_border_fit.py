@@ -14,7 +14,7 @@ from insole_core.geometry.transforms import rigid, rotation_about
 
 MEDIAL = np.array([1.0, 0.0, 0.0])
 CENTRE_X, HEIGHT, RADIUS = 35.0, 17.0, 14.0
-USUAL = UsualBorder((13, 13, 13, 6), (10, 10, 10, 5), (10, 10, 10, 5), 40)
+USUAL = UsualBorder((13, 13, 13, 6), (10, 10, 10, 5), (10, 10, 10, 5), 40, 12)
 NOTHING = ContourConstraints(np.zeros((0, 3)), np.zeros((0, 3)))
 
 
@@ -97,7 +97,7 @@ def arc(summit_mm: float, noise_mm: float = 0.0, seed: int = 0) -> BorderFit:
 @pytest.mark.parametrize("summit_mm", [-5.3, 0.0, 7.7])
 def test_the_summit_of_an_arc_lies_between_the_strips(summit_mm: float) -> None:
     fit = arc(summit_mm)
-    found = fit.summit(np.ones(21, bool), BEND, None)
+    found = fit.summit(np.ones(21, bool), BEND)
     assert found.across_mm == pytest.approx(summit_mm, abs=1e-6)
     assert found.reach_mm == pytest.approx(50, abs=1e-6)
     assert abs(fit.across_mm[found.strip] - summit_mm) <= 1
@@ -109,7 +109,7 @@ def test_the_noise_of_one_strip_does_not_make_the_summit() -> None:
     fitted_off, farthest_off = np.zeros((60, 2)), np.zeros((60, 2))
     for seed in range(60):
         fit = arc(3.0, 0.25, seed)
-        found = fit.summit(everything, BEND, None)
+        found = fit.summit(everything, BEND)
         fitted_off[seed] = found.across_mm - 3.0, found.reach_mm - 50
         best = fit.reach_mm.argmax()
         farthest_off[seed] = fit.across_mm[best] - 3.0, fit.reach_mm[best] - 50
@@ -120,16 +120,16 @@ def test_the_noise_of_one_strip_does_not_make_the_summit() -> None:
 def test_strips_that_do_not_count_are_passed_by() -> None:
     fit = arc(0.0)
     counts = fit.across_mm > 3
-    found = fit.summit(counts, BEND, None)
+    found = fit.summit(counts, BEND)
     assert found.across_mm == pytest.approx(4)
     assert counts[found.strip]
-    alone = fit.summit(fit.across_mm == 8, BEND, None)
+    alone = fit.summit(fit.across_mm == 8, BEND)
     assert (alone.across_mm, alone.strip) == (pytest.approx(8), 14)
 
 
 def test_a_straight_border_ends_towards_its_usual_place() -> None:
     fit = arc(0.0)
     flat = replace(fit, reach_mm=np.full(21, 50.0))
-    found = flat.summit(np.ones(21, bool), 1e4, 6.5)
+    found = flat.summit(np.ones(21, bool), 1e4, 6.5, 12.0)
     assert found.across_mm == pytest.approx(6.5, abs=0.1)
     assert found.reach_mm == pytest.approx(50, abs=0.01)
