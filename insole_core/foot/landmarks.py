@@ -33,9 +33,8 @@ NAMES = (
 )  # fmt: skip
 
 _TIBIALE, _FIBULARE = (0.60, 0.80), (0.50, 0.75)  # shares of the length where the ball is widest
-_USUAL_TIBIALE, _USUAL_FIBULARE, _USUAL_HEEL = 0.737, 0.64, 0.175
-_HEEL, _REAR = (0.15, 0.20), (0.0, 0.12)
-_HEEL_CENTRE = 0.16
+_USUAL_TIBIALE, _USUAL_FIBULARE, _USUAL_HEEL = 0.737, 0.64, 0.17
+_HEEL, _REAR = (0.10, 0.22), (0.0, 0.12)
 _MEDIAL, _LATERAL = np.array([1.0, 0.0]), np.array([-1.0, 0.0])
 _HEADS = np.array(
     [  # share across from the 1st to the 5th head, and ahead of their line in ball widths
@@ -45,8 +44,8 @@ _HEADS = np.array(
 _FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
 """From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
 _BEHIND = UsualEnd((22.0, 8.0), (32.0, 6.0), (25.0, 10.0))
-_MEDIAL_HEEL = UsualBorder((29, 29, 31, 4), (26, 27, 29, 5), (60, 60, 60, 40), 80, 12)
-_LATERAL_HEEL = UsualBorder((26, 26, 28, 4), (22, 23, 25, 5), (60, 60, 60, 40), 80, 12)
+_MEDIAL_HEEL = UsualBorder((29, 29, 31, 4), (26, 27, 29, 5), (60, 60, 60, 40), 80, np.inf)
+_LATERAL_HEEL = UsualBorder((26, 26, 28, 4), (22, 23, 25, 5), (60, 60, 60, 40), 80, np.inf)
 _MEDIAL_BORDER = UsualBorder((22, 18, 18, 6), (22, 20, 20, 9), (26, 24, 20, 10), 50, 8)
 _LATERAL_BORDER = UsualBorder((13, 12.5, 12, 4), (10, 10, 10, 5), (14, 13, 12, 8), 50, 30)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
@@ -130,7 +129,9 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     for name, end in ends.items():
         yield name, _landmark(foot, sole, end)
     middle = (ends["heel_medial"].point + ends["heel_lateral"].point) / 2
-    heel = sole.on_sole(np.array([middle[0], sole.back_mm + _HEEL_CENTRE * foot.length_mm]))
+    heel = sole.on_sole(
+        np.array([middle[0], sole.back_mm + float(np.mean(_HEEL)) * foot.length_mm])
+    )
     yield "heel_centre", Landmark(sole.to_insole(heel), _least(ends, "heel"))
     tibiale, fibulare = (ends[f"metatarsale_{name}"].point for name in ("tibiale", "fibulare"))
     heads = [sole.on_sole(xy) for xy in _head_places(tibiale, fibulare)]

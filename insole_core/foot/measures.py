@@ -84,7 +84,7 @@ DEFINITIONS = {
         "mm", "the same two points, perpendicular to the foot axis", 0.8
     ),
     "ball_length": Definition("mm", "pternion to metatarsale tibiale, along the foot axis", 1.0),
-    "heel_width": Definition("mm", "greatest width of the heel at 15 to 20 % of the length", 1.0),
+    "heel_width": Definition("mm", "greatest width of the heel at 10 to 22 % of the length", 1.0),
     "ball_girth": Definition("mm", "tape round the foot through the two points of the ball"),
     "instep_height": Definition("mm", "highest dorsal point at half of the foot length"),
     "arch_height": Definition("mm", "arch apex over the plane of heel, 1st and 5th head", 0.6),

@@ -6096,8 +6096,8 @@
             <translation>ges till den som sitter vid datorn</translation>
         </message>
         <message>
-            <source>greatest width of the heel at 15 to 20 % of the length</source>
-            <translation>hälens största bredd vid 15 till 20 % av längden</translation>
+            <source>greatest width of the heel at 10 to 22 % of the length</source>
+            <translation>hälens största bredd vid 10 till 22 % av längden</translation>
         </message>
         <message>
             <source>greatest x</source>

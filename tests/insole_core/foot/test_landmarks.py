@@ -54,7 +54,7 @@ def true_sizes_mm(model: FootModel) -> dict[str, float]:
     ahead = (np.array(model.landmarks_mm["toe_tip_2"]) * mirror - rear)[:2]
     along = ahead / np.hypot(*ahead)
     way, across = (low - rear)[:, :2] @ along, low[:, :2] @ [along[1], -along[0]]
-    heel = across[(way > 0.15 * way.max()) & (way < 0.2 * way.max())]
+    heel = across[(way > 0.1 * way.max()) & (way < 0.22 * way.max())]
     share = (low[:, 1] - rear[1]) / np.ptp(low[:, 1])
     medial, lateral = low[(share > 0.6) & (share < 0.8)], low[(share > 0.5) & (share < 0.75)]
     ball = medial[medial[:, 0].argmax()] - lateral[lateral[:, 0].argmin()]
