@@ -147,6 +147,7 @@ def make_plan(
     color_frames: int = 1,
     simultaneous: bool = False,
     bursts: int = 1,
+    without_motor: Collection[str] = (),
 ) -> CapturePlan:
     """Plan a capture.
 
@@ -163,6 +164,8 @@ def make_plan(
         Number of series per view. The motor tilts the sensor by a degree between them, so that
         its depth steps fall elsewhere; each further series is a view of its own, ``left_2`` and
         so on.
+    without_motor
+        Serial numbers of sensors that cannot tilt, which therefore take one series.
 
     Returns
     -------
@@ -172,7 +175,7 @@ def make_plan(
     Raises
     ------
     UsageError
-        When the plan contradicts itself.
+        When the plan contradicts itself, or wants bursts of sensors of which none has a motor.
     """
     _check(assignment, simultaneous)
     for name, number, most in (
@@ -187,11 +190,11 @@ def make_plan(
                 things=name,
                 most=most,
             )
-    rounds = [_round(assignment, burst) for burst in range(bursts)]
-    if simultaneous:
-        steps = [CaptureStep(shots) for shots in rounds]
-    else:
-        steps = _turns(list(zip(*rounds, strict=True)))
+    tilting = [pair for pair in assignment if pair[1] not in without_motor]
+    if bursts > 1:
+        _check_motors(assignment, tilting)
+    rounds = [_round(tilting if burst else assignment, burst) for burst in range(bursts)]
+    steps = [CaptureStep(shots) for shots in rounds] if simultaneous else _turns(rounds)
     plan = CapturePlan(tuple(steps), frames, color_frames)
     _check_names(plan.views)
     return plan
@@ -266,14 +269,15 @@ def burst_tilt_deg(burst: int) -> float:
     return _BURST_STEP_DEG * ((burst + 1) // 2) * (1.0 if burst % 2 else -1.0) + 0.0
 
 
-def _turns(bursts_by_view: Sequence[tuple[Shot, ...]]) -> list[CaptureStep]:
+def _turns(rounds: Sequence[tuple[Shot, ...]]) -> list[CaptureStep]:
     """Return one step per shot; a sensor that took an earlier view is moved by hand."""
     steps: list[CaptureStep] = []
     seen: set[str] = set()
-    for shots in bursts_by_view:
-        steps.append(CaptureStep(shots[:1], by_hand=shots[0].serial in seen))
-        steps += [CaptureStep((shot,)) for shot in shots[1:]]
-        seen.add(shots[0].serial)
+    for first in rounds[0]:
+        steps.append(CaptureStep((first,), by_hand=first.serial in seen))
+        others = (shot for later in rounds[1:] for shot in later if shot.place == first.place)
+        steps += [CaptureStep((shot,)) for shot in others]
+        seen.add(first.serial)
     return steps
 
 
@@ -303,6 +307,17 @@ def _check_shared(users: Mapping[str, Sequence[str]]) -> None:
             )
 
 
+def _check_motors(
+    assignment: Sequence[tuple[str, str]], tilting: Sequence[tuple[str, str]]
+) -> None:
+    if not tilting:
+        raise UsageError(
+            "Between bursts a motor tilts the sensor, and none of these has one: {serials}. "
+            "Capture one series of each view, without bursts.",
+            serials=joined(dict.fromkeys(serial for _, serial in assignment)),
+        )
+
+
 def _check_names(views: Sequence[str]) -> None:
     for view in views:
         if not _VIEW.fullmatch(view):
@@ -319,7 +334,7 @@ class PlanRequest:
 
     Parameters
     ----------
-    assignment, frames, color_frames, simultaneous, bursts
+    assignment, frames, color_frames, simultaneous, bursts, without_motor
         As in `make_plan`.
     """
 
@@ -328,6 +343,7 @@ class PlanRequest:
     color_frames: int = 1
     simultaneous: bool = False
     bursts: int = 1
+    without_motor: tuple[str, ...] = ()
 
     def plan(self) -> CapturePlan:
         """Make the plan.
@@ -342,6 +358,7 @@ class PlanRequest:
             color_frames=self.color_frames,
             simultaneous=self.simultaneous,
             bursts=self.bursts,
+            without_motor=self.without_motor,
         )
 
     def as_extra(self) -> dict[str, Any]:
@@ -360,8 +377,9 @@ def kept_request(extra: Mapping[str, Any]) -> PlanRequest | None:
     try:
         kept = extra[_KEY]
         pairs = tuple((str(view), str(serial)) for view, serial in kept["assignment"])
-        request = PlanRequest(**{**kept, "assignment": pairs})
+        motorless = tuple(str(serial) for serial in kept.get("without_motor", ()))
+        request = PlanRequest(**{**kept, "assignment": pairs, "without_motor": motorless})
         request.plan()
-    except (KeyError, TypeError, ValueError, UsageError):
+    except (AttributeError, KeyError, TypeError, ValueError, UsageError):
         return None
     return request

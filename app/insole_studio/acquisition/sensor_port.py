@@ -6,6 +6,7 @@ only some families can do is a `Capability`.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from types import TracebackType
@@ -306,6 +307,11 @@ def lack_of(sensor: OpenSensor | SensorState, capability: Capability) -> Message
     if capability in sensor.capabilities:
         return None
     return Message("Sensor {serial} {lacks}.", serial=sensor.serial, lacks=_LACKS[capability])
+
+
+def lacking(sensors: Iterable[OpenSensor | SensorState], capability: Capability) -> tuple[str, ...]:
+    """Return the serial numbers of the sensors that cannot do something."""
+    return tuple(one.serial for one in sensors if capability not in one.capabilities)
 
 
 def require(sensor: OpenSensor, capability: Capability) -> None:

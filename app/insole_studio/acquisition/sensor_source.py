@@ -134,8 +134,10 @@ def emulated_views(session: Session) -> tuple[tuple[str, str], ...]:
 
 
 def emulated_bursts(session: Session) -> int:
-    """Return how many bursts every view has."""
-    return min(MOST_BURSTS, *map(len, _bursts_by_place(session).values()))
+    """Return how many bursts every view of a sensor with a motor has."""
+    places = _bursts_by_place(session).values()
+    fewest = min((len(views) for views in places if not _is_metric(views[0])), default=1)
+    return min(MOST_BURSTS, fewest)
 
 
 def recordings_in(path: Path) -> tuple[Path, ...]:

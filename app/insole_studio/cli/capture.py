@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from insole_studio.acquisition.capture_setup import CaptureSetup
     from insole_studio.acquisition.draft import Draft
     from insole_studio.acquisition.messages import CaptureStatus
+    from insole_studio.acquisition.rig import Rig
+    from insole_studio.acquisition.sensor_port import OpenSensor
     from insole_studio.acquisition.sensor_source import SensorSource
 
 NAME = "capture"
@@ -92,8 +94,9 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
         CaptureCallbacks,
         CaptureRunner,
         close_sensors,
-        open_sensors,
     )
+    from insole_studio.acquisition.messages import Capability
+    from insole_studio.acquisition.sensor_port import lacking
 
     settings = camera_settings(arguments)
     source = replace(sensor_source_of(arguments, arguments.reference), camera=settings)
@@ -102,23 +105,26 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
     for problem in looked.problems:
         print(f"Warning: {problem}", file=sys.stderr)
     found = len(looked.sensors)
-    left = _left_draft(arguments.resume) if arguments.resume else None
+    left = _left_draft(arguments.resume, held) if arguments.resume else None
     request = _request(arguments, source, found, left)
-    draft = left or _new_draft(arguments, request, source, setup, held)
-    with closing(draft):
-        draft.expect(request.plan().views)
-        plan = _missing(request.plan(), draft.views)
+    sensors = _open_sensors(rig, request, left)
+    with ExitStack() as opened:
+        opened.callback(close_sensors, sensors.values())
+        if request.bursts > 1:
+            without_motor = lacking(sensors.values(), Capability.TILT)
+            request = replace(request, without_motor=without_motor)
+        plan = request.plan()
+        draft = left or _new_draft(arguments, request, source, setup, held)
+        draft.expect(plan.views)
 
         def report(status: CaptureStatus) -> None:
             progress.step(0.95 * status.fraction, status.sentence)
 
         try:
-            sensors = open_sensors(rig, plan.serials)
-            try:
-                callbacks = CaptureCallbacks(report, wait_for_hand=partial(_wait_for_hand, source))
-                warnings = CaptureRunner(sensors, plan, setup, draft, callbacks).run()
-            finally:
-                close_sensors(sensors.values())
+            callbacks = CaptureCallbacks(report, wait_for_hand=partial(_wait_for_hand, source))
+            todo = _missing(plan, draft.views)
+            warnings = CaptureRunner(sensors, todo, setup, draft, callbacks).run()
+            opened.close()
             progress.step(0.95, "Checking the session")
             draft.publish(arguments.out)
         except InsoleError as error:
@@ -132,10 +138,19 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
     progress.step(1.0, f"Done: {arguments.out}")
 
 
-def _left_draft(folder: Path) -> Draft:
+def _left_draft(folder: Path, held: ExitStack) -> Draft:
     from insole_studio.acquisition.draft import Draft
 
-    return Draft.reopen(folder)
+    return held.enter_context(closing(Draft.reopen(folder)))
+
+
+def _open_sensors(rig: Rig, request: PlanRequest, left: Draft | None) -> dict[str, OpenSensor]:
+    from insole_studio.acquisition.capture_runner import open_sensors
+
+    try:
+        return open_sensors(rig, request.plan().serials)
+    except InsoleError as error:
+        raise (error if left is None else _with_draft(error, left)) from error
 
 
 def _request(
@@ -184,7 +199,7 @@ def _new_draft(
     drafts.sweep()
     begun = drafts.begin(name)
     held.callback(begun.release)
-    return Draft(begun.folder, manifest, views)
+    return held.enter_context(closing(Draft(begun.folder, manifest, views)))
 
 
 def _manifest(arguments: argparse.Namespace, source: SensorSource, setup: CaptureSetup) -> Manifest:

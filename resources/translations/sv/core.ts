@@ -560,6 +560,10 @@
             <translation>Under vilken del av skalet kilen står</translation>
         </message>
         <message>
+            <source>Between bursts a motor tilts the sensor, and none of these has one: {serials}. Capture one series of each view, without bursts.</source>
+            <translation>Mellan serierna lutar en motor sensorn, och ingen av dessa har någon: {serials}. Avbilda en serie av varje vy, utan flera serier.</translation>
+        </message>
+        <message>
             <source>Between {low_mm:.0f} and {high_mm:.0f} mm the distances are met within {error_mm:.1f} mm.</source>
             <translation>Mellan {low_mm:.0f} och {high_mm:.0f} mm träffas avstånden inom {error_mm:.1f} mm.</translation>
         </message>

@@ -828,6 +828,10 @@
             <translation>Nästa: {name}</translation>
         </message>
         <message>
+            <source>None of the sensors has a motor, which would tilt it between bursts</source>
+            <translation>Ingen av sensorerna har en motor, som skulle luta den mellan serierna</translation>
+        </message>
+        <message>
             <source>None yet. Choose the pelott tool and click on the sole.</source>
             <translation>Inga än. Välj pelottverktyget och klicka på fotsulan.</translation>
         </message>
@@ -1160,8 +1164,8 @@
             <translation>Sensor {serial}. Dra till en annan för att byta vyer.</translation>
         </message>
         <message>
-            <source>Series a view, between which the sensor tilts by a degree</source>
-            <translation>Serier per vy, mellan vilka sensorn lutas en grad</translation>
+            <source>Series a view, between which the motor tilts the sensor by a degree</source>
+            <translation>Serier per vy, mellan vilka motorn lutar sensorn en grad</translation>
         </message>
         <message>
             <source>Session or mesh</source>

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 
 import pytest
 from capture_samples import ASSIGNMENT
@@ -52,6 +53,18 @@ def test_bursts_tilt_to_both_sides() -> None:
     )
 
 
+@pytest.mark.parametrize("simultaneous", [False, True])
+def test_a_sensor_without_motor_takes_one_series(simultaneous: bool) -> None:
+    pairs = [("left", "D1"), ("top", "A1"), ("right", "D2")]
+    planned = partial(make_plan, pairs, bursts=3, simultaneous=simultaneous)
+    plan = planned(without_motor=("D1", "D2"))
+    assert sorted(plan.views) == ["left", "right", "top", "top_2", "top_3"]
+    assert {shot.serial for shot in plan.shots if shot.tilt_deg} == {"A1"}
+    with pytest.raises(UsageError, match="none of these has one: D1, A1, D2. Capture"):
+        planned(without_motor=("A1", "D1", "D2"))
+    assert make_plan(pairs, without_motor=("A1", "D1", "D2")).views == ("left", "top", "right")
+
+
 def test_one_view_can_be_repeated() -> None:
     plan = make_plan(ASSIGNMENT, simultaneous=True, frames=3)
     assert plan.only(["right"]).views == ("right",)
@@ -74,6 +87,7 @@ def test_a_moved_sensor_is_put_back_for_what_is_missing() -> None:
     [
         PlanRequest(ASSIGNMENT, frames=3, simultaneous=True),
         PlanRequest((("left", "A1"), ("right", "A1")), bursts=2, color_frames=4),
+        PlanRequest((("left", "D1"), ("top", "A1")), bursts=2, without_motor=("D1",)),
     ],
 )
 def test_a_request_is_kept(request_made: PlanRequest) -> None:
@@ -82,7 +96,14 @@ def test_a_request_is_kept(request_made: PlanRequest) -> None:
 
 
 @pytest.mark.parametrize(
-    "damage", [{"assignment": [["left"]]}, {"frames": "ten"}, {"bursts": 0}, {"speed": 1}]
+    "damage",
+    [
+        {"assignment": [["left"]]},
+        {"frames": "ten"},
+        {"bursts": 0},
+        {"speed": 1},
+        {"without_motor": 7},
+    ],
 )
 def test_a_request_that_cannot_be_carried_out_is_none(damage: dict[str, object]) -> None:
     (kept,) = PlanRequest(ASSIGNMENT).as_extra().values()

@@ -22,6 +22,7 @@ from insole_core.recording.session import Manifest
 from insole_core.resources import resource_path
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor, nominal_kinect
+from insole_studio.acquisition import draft
 from insole_studio.acquisition.capture_plan import make_plan
 from insole_studio.acquisition.capture_runner import (
     CaptureCallbacks,
@@ -46,6 +47,7 @@ from insole_studio.acquisition.sensor_port import (
 )
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.stabilisation import StabilisationRule
+from insole_studio.cli.main import run
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.emulation.playback import TYPICAL_CALIBRATION
@@ -282,6 +284,27 @@ def test_a_recorded_session_of_both_kinds_is_played_by_emulated_cameras(
     view = read_session(ours.draft.folder).views[1]
     assert any(np.array_equal(frame.image, view.read_depth(index)) for index in range(4))
     assert [one.serial for one in source.rig().find().sensors] == ["A1", "815", "816"]
+
+
+def test_bursts_are_those_of_the_sensors_with_a_motor(
+    place: Callable[..., Place],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Of a Kinect three series, of the cameras beside it one; of cameras alone none is begun."""
+    monkeypatch.setattr(draft, "drafts_folder_of_user", lambda: tmp_path / "drafts")
+    ours = place()
+    ours.capture("right", "top")
+    call = ["capture", "--emulate", str(ours.draft.folder), "--frames", "2"]
+    alone = [*call, "--bursts", "3", "--views", "right=816", "--out", str(tmp_path / "none")]
+    assert run(alone) == 2
+    told = capsys.readouterr().err.strip().splitlines()[-1]
+    assert "none of these has one: 816. Capture one series of each view" in told
+    assert not (tmp_path / "drafts").exists()
+    mixed = [*call, "--bursts", "2", "--out", str(tmp_path / "both")]
+    assert run(mixed) == 0
+    assert read_session(tmp_path / "both").manifest.views == ("right", "top", "top_2")
 
 
 def test_what_is_stored_of_a_kinect_is_not_for_a_realsense_of_its_number(

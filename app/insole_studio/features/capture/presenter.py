@@ -20,6 +20,7 @@ from insole_studio.acquisition.capture_setup import CaptureSetup
 from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.messages import (
     Cancel,
+    Capability,
     CapturePhase,
     CaptureStatus,
     Command,
@@ -33,6 +34,7 @@ from insole_studio.acquisition.messages import (
     Tilt,
     ViewStatus,
 )
+from insole_studio.acquisition.sensor_port import lacking
 from insole_studio.acquisition.unfinished_captures import (
     KEPT_DAYS,
     Drafts,
@@ -367,8 +369,9 @@ class CapturePresenter:
 
     @property
     def _request(self) -> PlanRequest:
-        ready = [state.serial for state in self._sensors.states if state.problem is None]
-        return self._assignment.request(ready, self.options)
+        ready = [state for state in self._sensors.states if state.problem is None]
+        serials = [state.serial for state in ready]
+        return self._assignment.request(serials, self.options, lacking(ready, Capability.TILT))
 
     def _plan(self, tell: Callable[[str], None] = lambda _sentence: None) -> CapturePlan | None:
         try:
@@ -513,16 +516,18 @@ class CapturePresenter:
 
     def _capture_row(self) -> CaptureRow:
         status, running = self._status, self.is_capturing
+        states = self._sensors.states
         return CaptureRow(
             running=running,
             fraction=status.fraction if status is not None else 0.0,
             sentence=self._status_sentence(),
             button=self._button(),
-            can_capture=not running and any(s.problem is None for s in self._sensors.states),
+            can_capture=not running and any(s.problem is None for s in states),
             can_use=not running and bool(self._finished),
             is_whole=not running and self._is_whole,
             waits_for_hand=self._waits_for_hand,
             offer=_offer(self._left) if self._left and not running else "",
+            can_tilt=not states or len(lacking(states, Capability.TILT)) < len(states),
         )
 
     def _status_sentence(self) -> str:

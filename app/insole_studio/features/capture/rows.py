@@ -112,6 +112,8 @@ class CaptureRow:
         Whether the user has to confirm that a sensor is in position.
     offer
         Text that offers to continue an unfinished capture; empty if there is none.
+    can_tilt
+        Whether a sensor has a motor, which bursts need.
     """
 
     running: bool = False
@@ -123,6 +125,7 @@ class CaptureRow:
     is_whole: bool = False
     waits_for_hand: bool = False
     offer: str = ""
+    can_tilt: bool = True
 
 
 def depth_coloring() -> Coloring:

@@ -63,6 +63,7 @@ class CaptureView(QWidget):
         super().__init__(parent)
         self._tilt_step_deg = tilt_step_deg
         self._options = CaptureOptions()
+        self._can_tilt = True
         self._cards: dict[str, SensorCard] = {}
         self._empty = EmptyPage()
         self._empty.chosen.connect(self.find_requested)
@@ -164,6 +165,9 @@ class CaptureView(QWidget):
         self._offer.setVisible(bool(row.offer))
         for field in self._fields:
             field.setEnabled(not row.running)
+        self._can_tilt = row.can_tilt
+        self._bursts.setEnabled(row.can_tilt and not row.running)
+        self._show_bursts()
 
     def show_options(self, options: CaptureOptions) -> None:
         """Show the options."""
@@ -173,7 +177,7 @@ class CaptureView(QWidget):
         self._weight.show_value(options.weight_bearing)
         self._mode.show_value(options.mode)
         self._frames.show_value(options.frames)
-        self._bursts.show_value(options.bursts)
+        self._show_bursts()
         with QSignalBlocker(self._held):
             self._held.setChecked(options.held)
         self._notes.setText(options.notes)
@@ -186,6 +190,15 @@ class CaptureView(QWidget):
     def _show_views(self, options: CaptureOptions) -> None:
         self._views.setText(" ".join(options.views))
         self._views.setVisible(options.mode == "moved")
+
+    def _show_bursts(self) -> None:
+        """Show how many series a view has: one where no sensor can tilt between them."""
+        self._bursts.show_value(self._options.bursts if self._can_tilt else 1)
+        if self._can_tilt:
+            tip = tr("Series a view, between which the motor tilts the sensor by a degree")
+        else:
+            tip = tr("None of the sensors has a motor, which would tilt it between bursts")
+        self._bursts.setToolTip(tip)
 
     def show_empty(self, sentence: str) -> None:
         """Explain why there is no sensor."""
@@ -257,7 +270,6 @@ class CaptureView(QWidget):
         self._frames.edited.connect(lambda number: self._edit(frames=round(number)))
         self._bursts = NumberField("", least=1, greatest=9, step=1, decimals=0)
         self._bursts.setPrefix(tr("Bursts: "))
-        self._bursts.setToolTip(tr("Series a view, between which the sensor tilts by a degree"))
         self._bursts.edited.connect(lambda number: self._edit(bursts=round(number)))
 
     def _option_row(self) -> QHBoxLayout:

@@ -69,7 +69,9 @@ class ViewAssignment:
         """Swap the views of two sensors."""
         self._views[one], self._views[other] = self._views[other], self._views[one]
 
-    def request(self, ready: Iterable[str], options: CaptureOptions) -> PlanRequest:
+    def request(
+        self, ready: Iterable[str], options: CaptureOptions, without_motor: Collection[str] = ()
+    ) -> PlanRequest:
         """Return the request for a capture by the ready sensors.
 
         If sensors are moved by hand, the first one captures the views without a sensor.
@@ -80,16 +82,22 @@ class ViewAssignment:
             Serial numbers of the ready sensors.
         options
             Options of the capture.
+        without_motor
+            Serial numbers of sensors that cannot tilt; bursts are those of the others.
         """
         own = sorted((self._views[serial], serial) for serial in ready)
         if options.mode == "moved" and own:
             serials = dict(own)
             own = [(view, serials.get(view, own[0][1])) for view in options.views]
+        fixed = tuple(sorted({serial for _, serial in own}.intersection(without_motor)))
+        can_tilt = any(serial not in fixed for _, serial in own)
+        bursts = options.bursts if can_tilt else 1
         return PlanRequest(
             tuple(own),
             frames=options.frames,
             simultaneous=options.mode == "together",
-            bursts=options.bursts,
+            bursts=bursts,
+            without_motor=fixed if bursts > 1 else (),
         )
 
 

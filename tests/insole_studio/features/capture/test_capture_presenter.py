@@ -19,9 +19,11 @@ from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
+from insole_studio.acquisition.capture_plan import kept_request
 from insole_studio.acquisition.capture_setup import Calibrated, own_setup, recorded_setup
 from insole_studio.acquisition.draft import Draft, ViewFacts
 from insole_studio.acquisition.messages import (
+    Capability,
     CapturePhase,
     CaptureStatus,
     Command,
@@ -134,8 +136,15 @@ class Bench:
         self.service.coming += events
         self.presenter.tick()
 
-    def plug_in(self) -> None:
-        self.tell(Sensors(tuple(SensorState(s, "1414", 1, i, 30.0) for i, s in enumerate(SERIALS))))
+    def plug_in(self, *with_motor: str) -> None:
+        tilts = frozenset({Capability.TILT})
+        states = (
+            SensorState(
+                s, "1414", 1, i, 30.0, capabilities=tilts if s in with_motor else frozenset()
+            )
+            for i, s in enumerate(SERIALS)
+        )
+        self.tell(Sensors(tuple(states)))
 
     def started(self) -> Start:
         start = self.service.sent[-1]
@@ -312,8 +321,31 @@ def test_the_other_foot_follows(bench: Bench, qtbot: QtBot) -> None:
     assert bench.started().manifest.side is Side.RIGHT
 
 
+@pytest.mark.parametrize(
+    ("with_motor", "can_tilt", "views"),
+    [
+        ((), False, ("left", "right")),
+        (("B2",), True, ("left", "left_2", "left_3", "right")),
+        (SERIALS, True, ("left", "left_2", "left_3", "right", "right_2", "right_3")),
+    ],
+)
+def test_only_sensors_with_a_motor_take_bursts(
+    bench: Bench, with_motor: tuple[str, ...], can_tilt: bool, views: tuple[str, ...]
+) -> None:
+    assert bench.panel.capture.can_tilt  # nobody knows yet
+    bench.plug_in(*with_motor)
+    assert bench.panel.capture.can_tilt is can_tilt
+    bench.panel.options_edited.emit(CaptureOptions(bursts=3))  # type: ignore[attr-defined]
+    bench.presenter.capture()
+    started = bench.started()
+    assert started.plan.views == started.order == views
+    kept = kept_request(started.manifest.extra)
+    assert kept is not None
+    assert kept.plan().views == views
+
+
 def test_one_sensor_is_moved_from_view_to_view(bench: Bench) -> None:
-    bench.plug_in()
+    bench.plug_in(*SERIALS)
     options = CaptureOptions(mode="moved", views=("left", "heel", "right"), bursts=2)
     bench.panel.options_edited.emit(options)  # type: ignore[attr-defined]
     bench.presenter.capture()

@@ -11,6 +11,7 @@ from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, Sens
 from insole_studio.features.capture.sensor_card import SensorCard
 from insole_studio.features.capture.view import CaptureView
 from insole_studio.view_names import view_text, views_text
+from insole_studio.widgets.number_field import NumberField
 
 
 @pytest.fixture
@@ -67,6 +68,19 @@ def test_views_are_named_where_sensors_are_moved(view: CaptureView, qtbot: QtBot
     with qtbot.waitSignal(view.options_edited) as signal:
         field.editingFinished.emit()
     assert signal.args[0].views == ("left", "heel")
+
+
+def test_bursts_are_no_choice_where_no_sensor_has_a_motor(view: CaptureView) -> None:
+    field = next(f for f in view.findChildren(NumberField) if f.prefix() == "Bursts: ")
+    view.show_options(CaptureOptions(bursts=3))
+    view.show_capture(CaptureRow(can_tilt=False))
+    assert (field.isEnabled(), field.value()) == (False, 1)
+    assert "None of the sensors has a motor" in field.toolTip()
+    view.show_capture(CaptureRow(can_tilt=True))
+    assert (field.isEnabled(), field.value()) == (True, 3)
+    assert "the motor tilts the sensor" in field.toolTip()
+    view.show_capture(CaptureRow(running=True))
+    assert not field.isEnabled()
 
 
 def test_a_sensor_that_gave_several_views_has_a_menu_of_them(qtbot: QtBot) -> None:
