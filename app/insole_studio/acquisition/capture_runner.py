@@ -352,6 +352,7 @@ class CaptureRunner:
             warnings,
             series.sensor.temperature_c,
             series.times,
+            series.sensor.tuning,
         )
         self._draft.finish_view(view, calibrated, facts)
         self._views[view] = series.status(True, warnings)

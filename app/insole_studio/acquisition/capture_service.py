@@ -33,6 +33,7 @@ from insole_studio.acquisition.messages import (
     Sensors,
     Start,
     Tilt,
+    Tune,
 )
 from insole_studio.acquisition.sensor_port import require
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -162,6 +163,8 @@ class _Service:
                 sensor = self._live.opened[command.serial]
                 require(sensor, Capability.BLINK)
                 sensor.blink(command.on)
+            elif isinstance(command, Tune):
+                self._tune(command)
             elif isinstance(command, Infrared):
                 self._live.watch_infrared(command.serial, command.on)
             elif isinstance(command, Quit):
@@ -183,6 +186,15 @@ class _Service:
             return
         sensor.tilt_to(0.0)
         self._tell_roll(command.serial, abs(sensor.roll_deg()))
+
+    def _tune(self, command: Tune) -> None:
+        sensor = self._live.opened[command.serial]
+        if command.tuning.preset is not None:
+            require(sensor, Capability.PRESET)
+        if command.tuning.laser_mw is not None:
+            require(sensor, Capability.LASER)
+        sensor.tune(command.tuning)
+        self._send(self._live.summary)
 
     def _tell_roll(self, serial: str, roll_deg: float) -> None:
         """Warn about a roll, which the motor cannot correct."""

@@ -37,7 +37,9 @@ from insole_core.sensing.infrared_reference import InfraredReference
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.capture_plan import kept_request
 from insole_studio.acquisition.capture_setup import Calibrated
+from insole_studio.acquisition.messages import UNTUNED, Tuning
 from insole_studio.acquisition.sensor_port import InfraredPair
+from insole_studio.acquisition.tunings import as_json
 
 _TAKING = ".taking-"
 """Begins the name of the folder of a view that is not finished."""
@@ -65,6 +67,8 @@ class ViewFacts:
         How warm it is inside, if it says so.
     times
         When its pictures were taken, if it says so.
+    tuning
+        What was set of it.
     """
 
     settled_after_s: float
@@ -73,6 +77,7 @@ class ViewFacts:
     warnings: tuple[str, ...] = ()
     temperature_c: float | None = None
     times: FrameTimes | None = None
+    tuning: Tuning = UNTUNED
 
 
 def drafts_folder_of_user() -> Path:
@@ -266,6 +271,7 @@ class Draft:
         }
         if facts.temperature_c is not None:
             self._facts[view]["temperature_c"] = round(facts.temperature_c, 1)
+        self._facts[view] |= as_json(facts.tuning)
         self._manifest = replace(
             self._manifest,
             metric=self._manifest.metric or calibrated.sensor.depth_unit_mm is not None,

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.sensor import Sensor
 from insole_studio.acquisition.driver_values import factory_sensor, translating
-from insole_studio.acquisition.messages import Capability, DetectedSensor
+from insole_studio.acquisition.messages import UNTUNED, Capability, DetectedSensor, Tuning
 from insole_studio.acquisition.sensor_port import (
     ColorSize,
     DepthFrame,
@@ -224,6 +224,8 @@ class OpenKinect:
             self._camera.stop_depth()
 
     temperature_c = None
+    tuning = UNTUNED
+    laser_range = None
 
     def poll_pair(self) -> None:
         """Return nothing: it has one infrared camera."""
@@ -263,6 +265,10 @@ class OpenKinect:
     def discarded(self) -> int:
         """Return the number of depth frames that arrived damaged since it was opened."""
         return self._discarded + (self._depth.counts.discarded if self._depth is not None else 0)
+
+    def tune(self, tuning: Tuning) -> None:
+        """Fail: nothing of it can be set."""
+        raise NotImplementedError
 
     def tilt_deg(self) -> float:
         """Return the tilt relative to gravity.

@@ -164,7 +164,10 @@ class LiveSensors:
     def _state(self, serial: str) -> SensorState:
         opened = self.opened.get(serial)
         warm_s = time.monotonic() - opened.on_since_s if opened is not None else 0.0
-        return replace(self._states[serial], fps=self._fps(serial), warm_s=warm_s)
+        state = replace(self._states[serial], fps=self._fps(serial), warm_s=warm_s)
+        if opened is None:
+            return state
+        return replace(state, tuning=opened.tuning, laser_range=opened.laser_range)
 
     def _fps(self, serial: str) -> float:
         times = self._times[serial]

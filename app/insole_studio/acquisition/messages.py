@@ -32,6 +32,48 @@ class Capability(Enum):
     """It tells when each picture was taken, rather than when it arrived."""
     TOGETHER = "together"
     """Its light helps others of its family rather than disturb them, so all are taken at once."""
+    PRESET = "preset"
+    """It can judge its own depth more or less strictly."""
+    LASER = "laser"
+    """The power of its projector can be set."""
+
+
+class Preset(Enum):
+    """How strictly a sensor judges its own depth."""
+
+    HIGH_ACCURACY = "high-accuracy"
+    """Few wrong readings, and more gaps."""
+    HIGH_DENSITY = "high-density"
+    """Few gaps, and more wrong readings."""
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """What is set of a sensor.
+
+    Parameters
+    ----------
+    preset
+        None where it has none, or one that the program does not know.
+    laser_mw
+        Power of its projector; None where it cannot be set.
+    """
+
+    preset: Preset | None = None
+    laser_mw: float | None = None
+
+
+UNTUNED = Tuning()
+"""Of a sensor of which nothing can be set."""
+
+
+@dataclass(frozen=True)
+class LaserRange:
+    """The power that a projector can be set to, mW."""
+
+    least_mw: float
+    greatest_mw: float
+    step_mw: float
 
 
 @dataclass(frozen=True)
@@ -187,11 +229,19 @@ class Infrared:
 
 
 @dataclass(frozen=True)
+class Tune:
+    """Set what can be set of a sensor; what is None in it stays."""
+
+    serial: str
+    tuning: Tuning
+
+
+@dataclass(frozen=True)
 class Quit:
     """Switch everything off and end."""
 
 
-Command = Start | Cancel | Placed | Find | Tilt | Identify | Infrared | Quit
+Command = Start | Cancel | Placed | Find | Tilt | Identify | Infrared | Tune | Quit
 
 
 @dataclass(frozen=True)
@@ -214,6 +264,8 @@ class SensorState:
         Why it sends nothing, in one sentence; None if it does.
     capabilities
         What it can do beyond depth and colour; as long as it could not be opened, nothing.
+    tuning, laser_range
+        What is set of it, and the power that its projector can be set to.
     factory
         The calibration of its factory; None as long as it could not be opened.
     """
@@ -227,6 +279,8 @@ class SensorState:
     warm_s: float = 0.0
     problem: str | None = None
     capabilities: frozenset[Capability] = frozenset()
+    tuning: Tuning = UNTUNED
+    laser_range: LaserRange | None = None
     factory: Sensor | None = field(default=None, compare=False)
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import TracebackType
 from typing import Self
 
@@ -17,7 +17,13 @@ from insole_core.sensing.metric_depth import StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.readings import Readings
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.messages import Capability, DetectedSensor
+from insole_studio.acquisition.messages import (
+    Capability,
+    DetectedSensor,
+    LaserRange,
+    Preset,
+    Tuning,
+)
 from insole_studio.acquisition.sensor_port import (
     BusFullError,
     ColorSize,
@@ -28,12 +34,14 @@ from insole_studio.acquisition.sensor_port import (
     SensorError,
     small_color,
 )
+from insole_studio.acquisition.tunings import Tunings
 from insole_studio.acquisition.warm_up import WarmUps
 from realsense_d400.bandwidth import check_controller
 from realsense_d400.camera import Calibration, Camera, Eye, Frame, Intrinsics
 from realsense_d400.cameras import UNKNOWN_CONTROLLER, CameraBus, CameraInfo, list_cameras
 from realsense_d400.errors import BandwidthError, NoCameraError, RealSenseError
 from realsense_d400.settings import CameraSettings
+from realsense_d400.settings import Preset as CameraPreset
 
 FAMILY = "realsense"
 _CAN = frozenset({Capability.TOGETHER, Capability.TIMED})
@@ -90,7 +98,9 @@ class RealSensePort:
     warm_ups
         Of the cameras; by default they begin when a camera is opened.
     settings
-        Of every camera that is opened.
+        Of every camera that is opened, where nothing else is kept of it.
+    tunings
+        What is kept of each camera; by default nothing.
     """
 
     def __init__(
@@ -98,7 +108,9 @@ class RealSensePort:
         bus: CameraBus,
         warm_ups: WarmUps | None = None,
         settings: CameraSettings | None = None,
+        tunings: Tunings | None = None,
     ) -> None:
+        self._tunings = tunings or Tunings()
         self._bus = bus
         self._warm_ups = warm_ups or WarmUps()
         self._settings = settings or CameraSettings()
@@ -115,9 +127,16 @@ class RealSensePort:
 
     def open(self, serial: str) -> OpenRealSense:
         """Open a camera (see `SensorPort`)."""
+        asked, kept = self._tunings.asked, self._tunings.kept(serial)
+        settings = replace(self._settings, laser_mw=asked.laser_mw)
+        if preset := asked.preset or kept.preset:
+            settings = replace(settings, preset=CameraPreset[preset.name])
         with translating():
-            camera = Camera(self._bus, serial, self._settings)
-            return OpenRealSense(camera, self._controllers, self._warm_ups)
+            camera = Camera(self._bus, serial, settings)
+            limits = camera.laser_range_mw
+            if kept.laser_mw is not None and asked.laser_mw is None and limits is not None:
+                camera.set_laser_mw(min(max(kept.laser_mw, limits[0]), limits[1]))
+            return OpenRealSense(camera, self._controllers, self._warm_ups, self._tunings)
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,11 +166,17 @@ class RealSenseVideoFrame:
 class OpenRealSense:
     """An open RealSense (see `OpenSensor`)."""
 
-    def __init__(self, camera: Camera, controllers: _Controllers, warm_ups: WarmUps) -> None:
+    def __init__(
+        self, camera: Camera, controllers: _Controllers, warm_ups: WarmUps, tunings: Tunings
+    ) -> None:
         self.serial = camera.serial
         self.model = camera.info.model or FAMILY
         self.bus = camera.info.controller
-        self.capabilities = _CAN | {Capability.PAIR} if camera.sends_infrared else _CAN
+        laser = camera.laser_range_mw
+        self.laser_range = None if laser is None else LaserRange(*laser)
+        self.capabilities = _can(camera)
+        self.tuning = _tuning(camera)
+        self._tunings = tunings
         self._eyes: dict[Eye, Frame] = {}
         self._camera = camera
         self._controllers = controllers
@@ -176,6 +201,16 @@ class OpenRealSense:
         """Return the calibration stored in the camera, for the marker groups that it sees."""
         with translating():
             return sensor_of(self._camera.calibration, self.serial, self.model, faces)
+
+    def tune(self, tuning: Tuning) -> None:
+        """Set preset and power of the projector, and keep them for next time."""
+        with translating():
+            if tuning.preset is not None:
+                self._camera.set_preset(CameraPreset[tuning.preset.name])
+            if tuning.laser_mw is not None:
+                self._camera.set_laser_mw(tuning.laser_mw)
+            self.tuning = _tuning(self._camera)
+        self._tunings.keep(self.serial, self.tuning)
 
     @property
     def emits(self) -> bool:
@@ -299,6 +334,20 @@ class OpenRealSense:
         self._controllers.free(self.serial)
         with translating():
             self._camera.close()
+
+
+def _can(camera: Camera) -> frozenset[Capability]:
+    found = {
+        Capability.PAIR: camera.sends_infrared,
+        Capability.PRESET: camera.has_presets,
+        Capability.LASER: camera.laser_range_mw is not None,
+    }
+    return _CAN.union(capability for capability, has in found.items() if has)
+
+
+def _tuning(camera: Camera) -> Tuning:
+    preset = camera.preset
+    return Tuning(None if preset is None else Preset[preset.name], camera.laser_mw)
 
 
 def sensor_of(calibration: Calibration, serial: str, model: str, faces: tuple[str, ...]) -> Sensor:

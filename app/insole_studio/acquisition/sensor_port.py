@@ -18,7 +18,13 @@ from insole_core.errors import InsoleError
 from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.messages import Message
 from insole_core.sensing.sensor import Sensor
-from insole_studio.acquisition.messages import Capability, DetectedSensor, SensorState
+from insole_studio.acquisition.messages import (
+    Capability,
+    DetectedSensor,
+    LaserRange,
+    SensorState,
+    Tuning,
+)
 
 ColorSize = tuple[int, int]
 InfraredPair = tuple[ByteArray, ByteArray]
@@ -123,6 +129,20 @@ class OpenSensor(Protocol):
     @property
     def capabilities(self) -> frozenset[Capability]:
         """What it can do beyond depth and colour."""
+        ...
+
+    @property
+    def tuning(self) -> Tuning:
+        """What is set of it."""
+        ...
+
+    @property
+    def laser_range(self) -> LaserRange | None:
+        """The power that its projector can be set to; with `Capability.LASER`."""
+        ...
+
+    def tune(self, tuning: Tuning) -> None:
+        """Set what is not None; with `Capability.PRESET` and `LASER`. It is kept for next time."""
         ...
 
     @property
@@ -299,6 +319,8 @@ _LACKS = {
     Capability.TIMED: Message("does not tell when its pictures were taken; use another one"),
     Capability.TOGETHER: Message("disturbs others with its light; take its view alone"),
     Capability.INFRARED: Message("sends no infrared pictures; choose one that does"),
+    Capability.PRESET: Message("judges its depth in one way only; leave out the preset"),
+    Capability.LASER: Message("has a projector of one power only; leave the power as it is"),
 }
 
 

@@ -35,6 +35,7 @@ from insole_studio.acquisition.driver_values import translating
 from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.rig import Rig
 from insole_studio.acquisition.sensor_port import SensorPort
+from insole_studio.acquisition.tunings import Tunings
 from insole_studio.acquisition.warm_up import WarmUps
 from kinect_v1.calibration import Calibration, ZeroPlane
 from kinect_v1.emulation.bus import EmulatedBus
@@ -102,12 +103,14 @@ class EmulatedRig:
         }
         return EmulatedCameras(self._realsenses.values(), speed)
 
-    def ports(self, warm_ups: WarmUps, settings: CameraSettings) -> tuple[SensorPort, ...]:
+    def ports(
+        self, warm_ups: WarmUps, settings: CameraSettings, tunings: Tunings
+    ) -> tuple[SensorPort, ...]:
         """Return the ports of the families that the session was recorded with."""
         kinects = (KinectPort(UsbBus(self.bus), warm_ups),) if self._kinects else ()
         if self.cameras is None:
             return kinects
-        return (*kinects, _realsense_port(self.cameras, warm_ups, settings))
+        return (*kinects, _realsense_port(self.cameras, warm_ups, settings, tunings))
 
     def put(self, serial: str, place: str) -> None:
         """Move a sensor to the position of a view, as somebody would by hand.
@@ -149,10 +152,12 @@ def recordings_in(path: Path) -> tuple[Path, ...]:
     return tuple(sorted(path.glob(f"*{RECORDING}")))
 
 
-def _realsense_port(bus: CameraBus, warm_ups: WarmUps, settings: CameraSettings) -> SensorPort:
+def _realsense_port(
+    bus: CameraBus, warm_ups: WarmUps, settings: CameraSettings, tunings: Tunings
+) -> SensorPort:
     from insole_studio.acquisition.realsense_sensors import RealSensePort
 
-    return RealSensePort(bus, warm_ups, settings)
+    return RealSensePort(bus, warm_ups, settings, tunings)
 
 
 def _bursts_by_place(session: Session) -> dict[str, list[View]]:
@@ -257,7 +262,9 @@ class SensorSource:
     warm_up_file
         Where it is kept how long each sensor has been on; None keeps nothing.
     camera
-        Settings of RealSense cameras.
+        Settings of RealSense cameras of which nothing else is kept.
+    tunings
+        What was set of each sensor, and is kept.
     """
 
     stored: SensorFiles
@@ -265,6 +272,7 @@ class SensorSource:
     system_file: Path | None = None
     warm_up_file: Path | None = None
     camera: CameraSettings = field(default_factory=CameraSettings)
+    tunings: Tunings = field(default_factory=Tunings)
 
     @cached_property
     def session(self) -> Session | None:
@@ -304,17 +312,17 @@ class SensorSource:
         SensorError
             When libusb is missing, or a recording cannot be played.
         """
-        warm_ups = WarmUps(self.warm_up_file)
+        known = WarmUps(self.warm_up_file), self.camera, self.tunings
         if self.emulated_rig is not None:
-            return Rig(*self.emulated_rig.ports(warm_ups, self.camera))
+            return Rig(*self.emulated_rig.ports(*known))
         recordings = recordings_in(self.emulate) if self.emulate is not None else ()
         if recordings:
             from insole_studio.acquisition.emulated_realsense import recorded_cameras
 
-            return Rig(_realsense_port(recorded_cameras(recordings), warm_ups, self.camera))
+            return Rig(_realsense_port(recorded_cameras(recordings), *known))
         with translating():
-            kinects = KinectPort(system_bus(), warm_ups)
-        return Rig(kinects, _realsense_port(SystemCameras(), warm_ups, self.camera))
+            kinects = KinectPort(system_bus(), known[0])
+        return Rig(kinects, _realsense_port(SystemCameras(), *known))
 
     def setup(self) -> CaptureSetup:
         """Return the capture setup.

@@ -19,6 +19,7 @@ from insole_core.messages import Message, joined
 from insole_core.resources import resource_path
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
+from insole_studio.acquisition.tunings import TUNING_FILE, Tunings
 from insole_studio.acquisition.warm_up import WARM_UP_FILE
 from insole_studio.app.actions import ACTIONS
 from insole_studio.app.appearance import Appearance
@@ -178,6 +179,7 @@ def build_application(
         SensorStore(paths.sensors_folder),
         emulate,
         warm_up_file=paths.sensors_folder / WARM_UP_FILE,
+        tunings=Tunings(paths.sensors_folder / TUNING_FILE),
     )
     features = make_features(services, stage, autosave, source)
     main = WindowFeature(

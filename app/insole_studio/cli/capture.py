@@ -20,8 +20,8 @@ from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.sensor_arguments import (
     add_camera_arguments,
     add_rig_arguments,
-    camera_settings,
     sensor_source_of,
+    with_camera_arguments,
 )
 from insole_studio.cli.stopping import Stopped
 
@@ -98,8 +98,7 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
     from insole_studio.acquisition.messages import Capability
     from insole_studio.acquisition.sensor_port import lacking
 
-    settings = camera_settings(arguments)
-    source = replace(sensor_source_of(arguments, arguments.reference), camera=settings)
+    source = with_camera_arguments(sensor_source_of(arguments, arguments.reference), arguments)
     rig, setup = source.rig(), source.setup()
     looked = rig.require()
     for problem in looked.problems:

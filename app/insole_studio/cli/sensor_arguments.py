@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from insole_core.sensing.sensor import Sensor
     from insole_core.workflows.calibration.sensor_store import SensorStore
     from insole_studio.acquisition.sensor_source import SensorSource
-    from realsense_d400.settings import CameraSettings
+
+
+_AS_IT_IS = "as-it-is"
 
 
 def add_store_argument(parser: argparse.ArgumentParser) -> None:
@@ -145,12 +147,13 @@ def add_emulate_argument(parser: argparse.ArgumentParser) -> None:
 def add_camera_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what can be set of RealSense cameras."""
     parser.add_argument(
-        "--preset", choices=["high-accuracy", "high-density", "as-it-is"], default="high-accuracy",
-        help="how strictly RealSense cameras judge their own depth (high-accuracy)",
+        "--preset", choices=["high-accuracy", "high-density", _AS_IT_IS],
+        help="how strictly RealSense cameras judge their own depth (as set in the window, else "
+        "high-accuracy)",
     )  # fmt: skip
     parser.add_argument(
         "--laser-power", type=number, metavar="MW",
-        help="of the projectors of RealSense cameras (as it is)",
+        help="of the projectors of RealSense cameras (as set in the window, else as it is)",
     )  # fmt: skip
     parser.add_argument(
         "--infrared-pair", action="store_true",
@@ -158,14 +161,21 @@ def add_camera_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
 
 
-def camera_settings(arguments: argparse.Namespace) -> CameraSettings:
-    """Return the settings of RealSense cameras that the arguments select."""
-    from realsense_d400.settings import CameraSettings, Preset
+def with_camera_arguments(source: SensorSource, arguments: argparse.Namespace) -> SensorSource:
+    """Return the sensors with what the arguments set of RealSense cameras."""
+    from insole_studio.acquisition.messages import Preset, Tuning
+    from insole_studio.acquisition.tunings import TUNING_FILE, Tunings
+    from realsense_d400.settings import CameraSettings
 
-    presets = {preset.name.lower().replace("_", "-"): preset for preset in Preset}
-    return CameraSettings(
-        presets.get(arguments.preset), arguments.laser_power, arguments.infrared_pair
-    )
+    settings, file = CameraSettings(infrared=arguments.infrared_pair), None
+    preset = None
+    if arguments.preset == _AS_IT_IS:
+        settings = replace(settings, preset=None)
+    else:
+        file = store_folder(arguments) / TUNING_FILE
+        preset = Preset(arguments.preset) if arguments.preset else None
+    tunings = Tunings(file, Tuning(preset, arguments.laser_power))
+    return replace(source, camera=settings, tunings=tunings)
 
 
 def sensor_source_of(

@@ -16,7 +16,7 @@ from realsense_d400.bandwidth import StreamSize
 from realsense_d400.cameras import CameraBus, camera_info, find_device
 from realsense_d400.errors import RealSenseError
 from realsense_d400.library import library, told
-from realsense_d400.settings import CameraSettings
+from realsense_d400.settings import CameraSettings, Preset
 
 Eye = Literal["left", "right"]
 DEPTH_FPS, COLOR_FPS = 30, 15
@@ -214,6 +214,51 @@ class Camera:
         return None
 
     @property
+    def has_presets(self) -> bool:
+        """Whether a preset can be chosen; of a recording none can."""
+        return self._can_set(self._depth_sensor, "visual_preset")
+
+    @property
+    def preset(self) -> Preset | None:
+        """Return the preset that it works by; None for one that the program does not know."""
+        with told(self.serial):
+            if not self.has_presets:
+                return None
+            value = self._depth_sensor.get_option(self._rs.option.visual_preset)
+        return next((preset for preset in Preset if preset.value == value), None)
+
+    @property
+    def laser_range_mw(self) -> tuple[float, float, float] | None:
+        """Return least, greatest and step of its projector's power; None if it cannot be set."""
+        with told(self.serial):
+            if not self._can_set(self._depth_sensor, "laser_power"):
+                return None
+            limits = self._depth_sensor.get_option_range(self._rs.option.laser_power)
+        return float(limits.min), float(limits.max), float(limits.step)
+
+    @property
+    def laser_mw(self) -> float | None:
+        """Return the power of its projector; None if it cannot be set."""
+        if self.laser_range_mw is None:
+            return None
+        with told(self.serial):
+            return float(self._depth_sensor.get_option(self._rs.option.laser_power))
+
+    def set_preset(self, preset: Preset) -> None:
+        """Choose a preset, which may set the power of the projector too."""
+        with told(self.serial):
+            self._set(self._depth_sensor, "visual_preset", float(preset.value))
+
+    def set_laser_mw(self, power_mw: float) -> None:
+        """Set the power of the projector, to the nearest step that it has."""
+        limits = self.laser_range_mw
+        if limits is not None:
+            least, _, step = limits
+            power_mw = least + step * round((power_mw - least) / step) if step else power_mw
+        with told(self.serial):
+            self._set(self._depth_sensor, "laser_power", power_mw)
+
+    @property
     def sends_infrared(self) -> bool:
         """Whether it streams the pair of infrared pictures beside depth."""
         return self._settings.infrared
@@ -327,16 +372,16 @@ class Camera:
     def _set_up(self) -> None:
         settings = self._settings
         if settings.preset is not None:
-            self._set(self._depth_sensor, "visual_preset", float(settings.preset.value))
+            self.set_preset(settings.preset)
         if settings.laser_mw is not None:
-            self._set(self._depth_sensor, "laser_power", settings.laser_mw)
+            self.set_laser_mw(settings.laser_mw)
         self._set(self._depth_sensor, "depth_units", 1e-4)
 
     def _set(self, sensor: Any, name: str, value: float) -> None:
         """Set an option where the camera has it; of a recording nothing can be set."""
-        key = getattr(self._rs.option, name)
-        if not sensor.supports(key) or sensor.is_option_read_only(key):
+        if not self._can_set(sensor, name):
             return
+        key = getattr(self._rs.option, name)
         limits = sensor.get_option_range(key)
         if not limits.min <= value <= limits.max:
             raise RealSenseError(
@@ -344,6 +389,10 @@ class Camera:
                 f"{limits.max:g}, not {value:g}; choose a value in this range."
             )
         sensor.set_option(key, value)
+
+    def _can_set(self, sensor: Any, name: str) -> bool:
+        key = getattr(self._rs.option, name)
+        return bool(sensor.supports(key)) and not sensor.is_option_read_only(key)
 
     def _depth_profile(self) -> Any:
         rs = self._rs

@@ -44,8 +44,28 @@
             <translation>Fortsätt med den</translation>
         </message>
         <message>
+            <source>High accuracy</source>
+            <translation>Hög noggrannhet</translation>
+        </message>
+        <message>
+            <source>High accuracy: few wrong readings, more gaps. High density: the reverse.</source>
+            <translation>Hög noggrannhet: få felaktiga mätvärden, fler luckor. Hög täthet: tvärtom.</translation>
+        </message>
+        <message>
+            <source>High density</source>
+            <translation>Hög täthet</translation>
+        </message>
+        <message>
             <source>It is kept until {day}.</source>
             <translation>Den sparas till {day}.</translation>
+        </message>
+        <message>
+            <source>Light of sensor {serial}</source>
+            <translation>Ljus från sensor {serial}</translation>
+        </message>
+        <message>
+            <source>Light: </source>
+            <translation>Ljus: </translation>
         </message>
         <message>
             <source>Moved by hand</source>
@@ -62,6 +82,14 @@
         <message>
             <source>No right foot in its place</source>
             <translation>Ingen högerfot på sin plats</translation>
+        </message>
+        <message>
+            <source>Power of the projector: less where the depth has holes in what is bright and near</source>
+            <translation>Projektorns effekt: mindre där djupet har hål i det som är ljust och nära</translation>
+        </message>
+        <message>
+            <source>Preset of sensor {serial}</source>
+            <translation>Förval för sensor {serial}</translation>
         </message>
         <message>
             <source>Put the sensor in its place for view {view}, then say that it stands.</source>

@@ -6120,6 +6120,10 @@
             <translation>har en lateral kant på den mediala sidan; byt de två</translation>
         </message>
         <message>
+            <source>has a projector of one power only; leave the power as it is</source>
+            <translation>har en projektor med bara en effekt; låt effekten vara</translation>
+        </message>
+        <message>
             <source>has a volume that reaches into that of the right foot; make the volumes narrower</source>
             <translation>har en volym som når in i högerfotens; gör volymerna smalare</translation>
         </message>
@@ -6738,6 +6742,10 @@
         <message>
             <source>its unit {unit} is none of AMF</source>
             <translation>dess enhet {unit} finns inte i AMF</translation>
+        </message>
+        <message>
+            <source>judges its depth in one way only; leave out the preset</source>
+            <translation>bedömer sitt djup på bara ett sätt; utelämna förvalet</translation>
         </message>
         <message>
             <source>kept</source>

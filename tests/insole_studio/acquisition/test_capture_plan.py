@@ -60,7 +60,7 @@ def test_a_sensor_without_motor_takes_one_series(simultaneous: bool) -> None:
     plan = planned(without_motor=("D1", "D2"))
     assert sorted(plan.views) == ["left", "right", "top", "top_2", "top_3"]
     assert {shot.serial for shot in plan.shots if shot.tilt_deg} == {"A1"}
-    with pytest.raises(UsageError, match="none of these has one: D1, A1, D2. Capture"):
+    with pytest.raises(UsageError, match=r"none of these has one: D1, A1, D2\. Capture"):
         planned(without_motor=("A1", "D1", "D2"))
     assert make_plan(pairs, without_motor=("A1", "D1", "D2")).views == ("left", "top", "right")
 

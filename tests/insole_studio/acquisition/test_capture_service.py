@@ -25,9 +25,12 @@ from insole_studio.acquisition.messages import (
     Find,
     Identify,
     Placed,
+    Preset,
     Sensors,
     Start,
     Tilt,
+    Tune,
+    Tuning,
 )
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.service_client import SILENCE_LIMIT_S, CaptureService
@@ -140,6 +143,11 @@ def test_tilt_and_light(window: Window, small_session: Path) -> None:
     assert told == "Sensor Z9 is not in use; look for sensors again."
     assert told.template == "Sensor {serial} is not in use; look for sensors again."
     assert not [e for e in window.events[:-1] if isinstance(e, Message) and "Z9" not in e]
+    for tuning, lack in (
+        (Tuning(preset=Preset.HIGH_DENSITY), "judges its depth in one way only"),
+        (Tuning(laser_mw=90.0), "has a projector of one power only"),
+    ):
+        assert f"Sensor {serial} {lack}" in window.answer(Tune(serial, tuning))
 
 
 def test_closing_in_mid_capture_keeps_what_is_there(

@@ -35,7 +35,15 @@ from insole_studio.acquisition.draft import Draft
 from insole_studio.acquisition.guidance import centre_depth_mm
 from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.live_sensors import LiveSensors
-from insole_studio.acquisition.messages import Capability, CapturePhase, CaptureStatus
+from insole_studio.acquisition.messages import (
+    UNTUNED,
+    Capability,
+    CapturePhase,
+    CaptureStatus,
+    LaserRange,
+    Preset,
+    Tuning,
+)
 from insole_studio.acquisition.realsense_sensors import RealSensePort, sensor_of
 from insole_studio.acquisition.rig import Rig
 from insole_studio.acquisition.sensor_port import (
@@ -47,6 +55,7 @@ from insole_studio.acquisition.sensor_port import (
 )
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.acquisition.stabilisation import StabilisationRule
+from insole_studio.acquisition.tunings import Tunings
 from insole_studio.cli.main import run
 from kinect_v1.emulation.bus import EmulatedBus
 from kinect_v1.emulation.device import EmulatedKinect
@@ -127,6 +136,8 @@ def test_a_rig_of_both_kinds_takes_all_realsense_views_at_once(
         assert list(view.times.depth_ms) == sorted(view.times.depth_ms)
     kept = json.loads((ours.draft.folder / "manifest.json").read_text())["capture"]
     assert (kept["left"]["temperature_c"], "temperature_c" in kept["top"]) == (36.5, False)
+    assert (kept["left"]["preset"], kept["left"]["laser_mw"]) == ("high-accuracy", 150.0)
+    assert not {"preset", "laser_mw"} & kept["top"].keys()
 
 
 def test_while_a_kinect_measures_the_projectors_are_off(place: Callable[..., Place]) -> None:
@@ -205,6 +216,35 @@ def test_what_a_realsense_cannot_do_is_told_in_a_sentence(place: Callable[..., P
         for capability in (Capability.TILT, Capability.BLINK, Capability.INFRARED):
             with pytest.raises(SensorError, match="Sensor 815 "):
                 require(opened, capability)
+
+
+def test_what_is_set_of_a_camera_is_kept_for_it_alone(
+    place: Callable[..., Place], tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    ours, file = place(), tmp_path / "settings" / "kept.json"
+
+    def opened(serial: str, asked: Tuning = UNTUNED) -> OpenSensor:
+        return RealSensePort(ours.cameras, tunings=Tunings(file, asked)).open(serial)
+
+    with opened("815") as one:
+        assert {Capability.PRESET, Capability.LASER} <= one.capabilities
+        assert one.laser_range == LaserRange(0.0, 360.0, 1.0)
+        assert one.tuning == Tuning(Preset.HIGH_ACCURACY, 150.0)
+        one.tune(Tuning(Preset.HIGH_DENSITY, 210.4))
+        dense = Tuning(Preset.HIGH_DENSITY, 210.0)
+        assert one.tuning == dense
+    with opened("815") as again, opened("816") as other:
+        assert (again.tuning, other.tuning) == (dense, Tuning(Preset.HIGH_ACCURACY, 150.0))
+    asked = Tuning(Preset.HIGH_ACCURACY, 30.0)
+    with opened("815", asked) as one:
+        assert one.tuning == asked
+    file.write_text(file.read_text().replace("210.0", "9999"))
+    with opened("815") as one:
+        assert one.tuning.laser_mw == 360.0
+    file.write_text("{")
+    with opened("815") as one:
+        assert one.tuning.preset is Preset.HIGH_ACCURACY
+    assert "sensors start as they are" in caplog.text
 
 
 def large(serial: str, bus: int) -> EmulatedCamera:
@@ -352,6 +392,7 @@ def test_recordings_of_the_library_are_cameras_of_a_rig(tmp_path: Path) -> None:
     rig = SensorSource(NothingStored(), tmp_path).rig()
     assert [one.serial for one in rig.require().sensors] == ["815", "816"]
     with rig.open("816") as opened:
+        assert not {Capability.PRESET, Capability.LASER} & opened.capabilities
         opened.start()
         frame = next_depth(opened)
     assert any(np.array_equal(frame.image, sent) for sent in made["816"].depth)

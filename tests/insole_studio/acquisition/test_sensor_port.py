@@ -16,7 +16,13 @@ from insole_core.geometry.arrays import ByteArray, RawArray
 from insole_core.sensing.sensor import Sensor, nominal_kinect
 from insole_studio.acquisition.kinect_sensors import KinectPort
 from insole_studio.acquisition.live_sensors import LiveSensors
-from insole_studio.acquisition.messages import Capability, DetectedSensor
+from insole_studio.acquisition.messages import (
+    UNTUNED,
+    Capability,
+    DetectedSensor,
+    LaserRange,
+    Tuning,
+)
 from insole_studio.acquisition.rig import Rig
 from insole_studio.acquisition.sensor_port import (
     ColorSize,
@@ -92,6 +98,11 @@ class PlainCamera:
         return PlainVideo() if self.streams else None
 
     temperature_c: float | None = None
+    tuning: Tuning = UNTUNED
+    laser_range: LaserRange | None = None
+
+    def tune(self, tuning: Tuning) -> None:
+        raise AssertionError("nobody may ask for it")
 
     def poll_pair(self) -> None:
         raise AssertionError("nobody may ask for it")

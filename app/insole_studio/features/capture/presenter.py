@@ -12,6 +12,7 @@ from insole_core.errors import InsoleError, UsageError
 from insole_core.files.atomic import make_output_folder
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.side import BOTH, Side, Sides
+from insole_core.history import History
 from insole_core.messages import Message, joined
 from insole_core.progress import Progress
 from insole_core.recording.session import CaptureCondition, Manifest
@@ -32,6 +33,8 @@ from insole_studio.acquisition.messages import (
     SensorState,
     Start,
     Tilt,
+    Tune,
+    Tuning,
     ViewStatus,
 )
 from insole_studio.acquisition.sensor_port import lacking
@@ -69,6 +72,9 @@ class CapturePanel(Protocol):
     tilt_requested: Any
     level_requested: Any
     identify_requested: Any
+    tuning_edited: Any
+    undo_requested: Any
+    redo_requested: Any
     options_edited: Any
     resume_requested: Any
     discard_requested: Any
@@ -141,6 +147,8 @@ class CapturePresenter:
         self._kept = kept
         self._finish = finished
         self._sensors = Sensors(())
+        self._tuned: History[tuple[str, Tuning]] = History()
+        """What was set of the sensors, by their serial numbers."""
         self._watches: dict[str, SensorWatch] = {}
         self._status: CaptureStatus | None = None
         self._drafts = Drafts(folder / "captures")
@@ -170,6 +178,9 @@ class CapturePresenter:
         panel.tilt_requested.connect(lambda s, by: self._service.send(Tilt(s, by)))
         panel.level_requested.connect(lambda s: self._service.send(Tilt(s, None)))
         panel.identify_requested.connect(lambda s, on: self._service.send(Identify(s, on)))
+        panel.tuning_edited.connect(self.tune)
+        panel.undo_requested.connect(lambda: self._restore(self._tuned.undo))
+        panel.redo_requested.connect(lambda: self._restore(self._tuned.redo))
         panel.options_edited.connect(self.edit_options)
         panel.resume_requested.connect(self.resume)
         panel.discard_requested.connect(self.discard)
@@ -284,6 +295,19 @@ class CapturePresenter:
         if one != other and not self.is_capturing:
             self._assignment.swap(one, other)
             self._assigned()
+
+    def tune(self, serial: str, tuning: Tuning) -> None:
+        """Set what can be set of a sensor."""
+        state = next((one for one in self._sensors.states if one.serial == serial), None)
+        if state is not None and not self.is_capturing:
+            self._tuned.push((serial, state.tuning), (serial, tuning), serial)
+            self._service.send(Tune(serial, tuning))
+
+    def _restore(self, step: Callable[[], tuple[str, Tuning] | None]) -> None:
+        """Set what was set before the last change, or after it."""
+        restored = None if self.is_capturing else step()
+        if restored is not None:
+            self._service.send(Tune(*restored))
 
     def edit_options(self, options: CaptureOptions) -> None:
         """Apply the options; another side begins a new capture."""
@@ -489,6 +513,9 @@ class CapturePresenter:
             progress=self._progress_of(state.serial),
             retakes=() if self.is_capturing else self._retakes(state.serial),
             capabilities=state.capabilities,
+            tuning=state.tuning,
+            laser_range=state.laser_range,
+            can_tune=not self.is_capturing,
         )
 
     def _retakes(self, serial: str) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from insole_core.geometry.side import Side, Sides
 from insole_studio.acquisition.guidance import DEPTH_RANGE_MM
-from insole_studio.acquisition.messages import Capability
+from insole_studio.acquisition.messages import UNTUNED, Capability, LaserRange, Tuning
 from insole_studio.scene.coloring import Coloring
 from insole_studio.texts import tr
 
@@ -75,6 +75,10 @@ class SensorRow:
         Its views that can be captured again.
     capabilities
         What the sensor can be asked for.
+    tuning, laser_range
+        What is set of it, and the power that its projector can be set to.
+    can_tune
+        Whether it may be set now, rather than while a capture runs.
     """
 
     serial: str
@@ -86,6 +90,9 @@ class SensorRow:
     progress: str = ""
     retakes: tuple[str, ...] = ()
     capabilities: frozenset[Capability] = frozenset()
+    tuning: Tuning = UNTUNED
+    laser_range: LaserRange | None = None
+    can_tune: bool = True
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 from insole_core.geometry.arrays import ByteArray
 from insole_studio.acquisition.messages import Capability
 from insole_studio.features.capture.rows import USUAL_VIEWS, VIEWS_OF_BOTH, SensorRow
+from insole_studio.features.capture.sensor_settings import SensorSettings
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
 from insole_studio.widgets.form_parts import ComboBox
@@ -44,6 +45,7 @@ class SensorCard(QFrame):
     tilt_requested = Signal(str, float)
     level_requested = Signal(str)
     identify_requested = Signal(str, bool)
+    tuning_edited = Signal(str, object)
     retake_requested = Signal(str)
 
     def __init__(self, serial: str, tilt_step_deg: float, parent: QWidget | None = None) -> None:
@@ -64,6 +66,8 @@ class SensorCard(QFrame):
         self._view = ComboBox([(view, view_text(view)) for view in VIEWS])
         self._view.setAccessibleName(tr("View of sensor {serial}").format(serial=serial))
         self._view.edited.connect(self._choose_view)
+        self._settings = SensorSettings(serial)
+        self._settings.edited.connect(lambda tuning: self.tuning_edited.emit(self.serial, tuning))
         self._retake = QToolButton()
         self._retake.setText(tr("Capture again"))
         self._retake.clicked.connect(self._retake_view)
@@ -87,6 +91,7 @@ class SensorCard(QFrame):
         for capability, buttons in self._asking.items():
             for button in buttons:
                 button.setEnabled(capability in row.capabilities)
+        self._settings.show_row(row)
 
     def show_pictures(self, depth: ByteArray | None, color: ByteArray | None) -> None:
         """Show new images (height, width, 3) uint8, RGB; None keeps the current one."""
@@ -124,6 +129,7 @@ class SensorCard(QFrame):
         layout.addLayout(self._pictures, 1)
         layout.addWidget(self._facts)
         layout.addWidget(self._hints)
+        layout.addWidget(self._settings)
         layout.addLayout(self._buttons())
 
     def _buttons(self) -> QHBoxLayout:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -55,6 +56,9 @@ class CaptureView(QWidget):
     tilt_requested = Signal(str, float)
     level_requested = Signal(str)
     identify_requested = Signal(str, bool)
+    tuning_edited = Signal(str, object)
+    undo_requested = Signal()
+    redo_requested = Signal()
     options_edited = Signal(object)
     resume_requested = Signal()
     discard_requested = Signal()
@@ -74,6 +78,8 @@ class CaptureView(QWidget):
         self._pages = QStackedWidget()
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self._grid)
+        QShortcut(QKeySequence("Ctrl+Z"), self, self.undo_requested.emit)
+        QShortcut(QKeySequence("Ctrl+Shift+Z"), self, self.redo_requested.emit)
         self._make_options()
         self._make_buttons()
         self._make_offer()
@@ -226,6 +232,7 @@ class CaptureView(QWidget):
         card.level_requested.connect(self.level_requested)
         card.identify_requested.connect(self.identify_requested)
         card.retake_requested.connect(self.retake_requested)
+        card.tuning_edited.connect(self.tuning_edited)
         self._cards[serial] = card
         return card
 

@@ -6,6 +6,7 @@ import os
 import shutil
 import time
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
 
@@ -28,10 +29,13 @@ from insole_studio.acquisition.messages import (
     CaptureStatus,
     Command,
     Event,
+    Preset,
     Sensors,
     SensorState,
     Start,
     Tilt,
+    Tune,
+    Tuning,
     ViewStatus,
 )
 from insole_studio.acquisition.shared_frame_buffer import Kind, Picture
@@ -61,7 +65,8 @@ class NotedPanel:
             "capture_requested", "cancel_requested", "placed_requested", "retake_requested",
             "use_requested", "other_foot_requested", "find_requested", "view_chosen",
             "views_swapped", "tilt_requested", "level_requested", "identify_requested",
-            "options_edited", "resume_requested", "discard_requested",
+            "options_edited", "resume_requested", "discard_requested", "tuning_edited",
+            "undo_requested", "redo_requested",
         ):  # fmt: skip
             setattr(self, name, Intent())
         self.rows: list[SensorRow] = []
@@ -342,6 +347,25 @@ def test_only_sensors_with_a_motor_take_bursts(
     kept = kept_request(started.manifest.extra)
     assert kept is not None
     assert kept.plan().views == views
+
+
+def test_what_is_set_of_a_sensor_can_be_taken_back(bench: Bench) -> None:
+    bench.plug_in()
+    strict, dense = Tuning(Preset.HIGH_ACCURACY, 150.0), Tuning(Preset.HIGH_DENSITY, 150.0)
+    state = SensorState("B2", "d415", 1, 1, 30.0, tuning=strict)
+    bench.tell(Sensors((state,)))
+    panel = bench.panel
+    panel.tuning_edited.emit("B2", dense)  # type: ignore[attr-defined]
+    bench.tell(Sensors((replace(state, tuning=dense),)))
+    assert panel.rows[0].tuning == dense
+    for intent in (panel.undo_requested, panel.undo_requested, panel.redo_requested):  # type: ignore[attr-defined]
+        intent.emit()
+    assert bench.service.sent == [Tune("B2", dense), Tune("B2", strict), Tune("B2", dense)]
+    bench.presenter.capture()
+    assert not panel.rows[0].can_tune
+    panel.tuning_edited.emit("B2", strict)  # type: ignore[attr-defined]
+    panel.undo_requested.emit()  # type: ignore[attr-defined]
+    bench.started()  # the last command, as a capture runs
 
 
 def test_one_sensor_is_moved_from_view_to_view(bench: Bench) -> None:

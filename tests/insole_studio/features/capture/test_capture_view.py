@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QToolButton
 from pytestqt.qtbot import QtBot
 
-from insole_studio.acquisition.messages import Capability
+from insole_studio.acquisition.messages import Capability, LaserRange, Preset, Tuning
 from insole_studio.features.capture.rows import CaptureOptions, CaptureRow, SensorRow
 from insole_studio.features.capture.sensor_card import SensorCard
 from insole_studio.features.capture.view import CaptureView
 from insole_studio.view_names import view_text, views_text
+from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
 
 
@@ -68,6 +73,36 @@ def test_views_are_named_where_sensors_are_moved(view: CaptureView, qtbot: QtBot
     with qtbot.waitSignal(view.options_edited) as signal:
         field.editingFinished.emit()
     assert signal.args[0].views == ("left", "heel")
+
+
+def test_a_card_offers_what_its_sensor_can_be_set_to(view: CaptureView, qtbot: QtBot) -> None:
+    row = SensorRow("D1", "left", "left", "")
+    view.show_sensors([row])
+    preset = next(c for c in view.findChildren(ComboBox) if "Preset" in c.accessibleName())
+    light = next(f for f in view.findChildren(NumberField) if f.prefix() == "Light: ")
+    assert not preset.isVisible()
+    assert not light.isVisible()
+    only = replace(row, capabilities=frozenset({Capability.PRESET}))
+    view.show_sensors([only])
+    assert (preset.isVisible(), light.isVisible()) == (True, False)
+    strict = Tuning(Preset.HIGH_ACCURACY, 150.0)
+    limits = LaserRange(0.0, 360.0, 30.0)
+    can = frozenset({Capability.PRESET, Capability.LASER})
+    both = replace(row, capabilities=can, tuning=strict, laser_range=limits)
+    view.show_sensors([both])
+    assert (preset.currentText(), light.text()) == ("High accuracy", "Light: 150 mW")
+    with qtbot.waitSignal(view.tuning_edited) as edited:
+        QTest.keyClick(preset, Qt.Key.Key_Down)
+    assert edited.args == ["D1", replace(strict, preset=Preset.HIGH_DENSITY)]
+    with qtbot.waitSignal(view.tuning_edited) as edited:
+        QTest.keyClick(light, Qt.Key.Key_Up)
+    assert edited.args == ["D1", replace(strict, laser_mw=180.0)]
+    light.setFocus()
+    with qtbot.waitSignal(view.undo_requested):
+        QTest.keyClick(light, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    view.show_sensors([replace(both, can_tune=False)])
+    assert not preset.isEnabled()
+    assert not light.isEnabled()
 
 
 def test_bursts_are_no_choice_where_no_sensor_has_a_motor(view: CaptureView) -> None:
