@@ -1,9 +1,12 @@
-"""Open3D's surfaces from the same placed views; none if it is not installed."""
+"""Open3D's surfaces from the placed views that the product starts from, if it is installed."""
 
 from __future__ import annotations
 
 import importlib
+import json
 from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,8 +15,11 @@ from scipy.spatial import cKDTree
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import inverse
-from insole_core.reconstruct.fusion.depth_view import DepthView
+from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
 from insole_core.reconstruct.fusion.prepared_view import smooth_depth
+from insole_core.reconstruct.views.measured_view import measure_view
+from insole_core.reconstruct.volume import volume_of_interest
+from insole_core.recording.session import Session
 
 Peer = Callable[[list[DepthView]], TriangleMesh]
 
@@ -33,6 +39,23 @@ def open3d_peers() -> dict[str, Peer]:
         "Open3D screened Poisson": lambda readings: _poisson(open3d, readings),
         "Open3D TSDF 1 mm": lambda readings: _tsdf(open3d, readings),
     }
+
+
+def readings_of(session: Session) -> list[DepthView]:
+    """Return the placed views that all pipelines but the thesis's start from."""
+    placed = []
+    for view in map(measure_view, session.views):
+        pose = view.register(session.manifest.reference_system).sensor2reference
+        box, sensor = volume_of_interest(session), view.view.sensor
+        placed.append(
+            read_volume(view.view.name, sensor, pose, box, raw=view.raw, color=view.color)
+        )
+    return placed
+
+
+def with_true_poses(readings: list[DepthView], path: Path) -> list[DepthView]:
+    poses = json.loads((path / "truth_poses.json").read_text())["sensor2reference"]
+    return [replace(one, sensor2reference=np.array(poses[one.name])) for one in readings]
 
 
 def _poisson(open3d: Any, readings: list[DepthView]) -> TriangleMesh:

@@ -35,7 +35,7 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.reconstruct import Reconstruction, reconstruct
+from insole_core.reconstruct import reconstruct
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import DotPictures, Session, View
 from insole_core.recording.writer import write_session
@@ -121,7 +121,7 @@ def compared(captured: Captured) -> tuple[dict[str, float], dict[str, float]]:
         session = _session(captured)
         truth = trimesh.load(captured.folder / "truth.ply", process=False, force="mesh")
         found = [
-            figures(reconstruct(with_patterns(session, captured), depth=depth), truth)
+            figures(reconstruct(with_patterns(session, captured), depth=depth).mesh, truth)
             for depth in ("chip", "infrared")
         ]
         _keep(kept, json.dumps(found))
@@ -225,9 +225,9 @@ def _learning() -> str:
     return hashlib.sha256(content).hexdigest()[:8]
 
 
-def figures(made: Reconstruction, truth: trimesh.Trimesh) -> dict[str, float]:
+def figures(surface: TriangleMesh, truth: trimesh.Trimesh) -> dict[str, float]:
     """Judge a foot against its truth; regions as the truth has them."""
-    mesh = trimesh.Trimesh(made.mesh.vertices, made.mesh.triangles, process=False)
+    mesh = trimesh.Trimesh(surface.vertices, surface.triangles, process=False)
     points = np.asarray(trimesh.sample.sample_surface(mesh, 60_000, seed=1)[0])
     places, face = trimesh.sample.sample_surface(truth, 300_000, seed=2)
     normals = truth.face_normals[face]

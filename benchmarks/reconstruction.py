@@ -9,7 +9,6 @@ true distortion, the floor is shown with it too.
 
 from __future__ import annotations
 
-import json
 import tempfile
 import time
 from collections.abc import Callable, Iterator
@@ -22,16 +21,14 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from benchmarks._measure import print_table, recorded_session, run_process
-from benchmarks._open3d_peers import Peer, open3d_peers
+from benchmarks._open3d_peers import Peer, open3d_peers, readings_of, with_true_poses
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct import reconstruct
-from insole_core.reconstruct.fusion.depth_view import DepthView, read_volume
+from insole_core.reconstruct.fusion.depth_view import DepthView
 from insole_core.reconstruct.fusion.fused_surface import fuse
 from insole_core.reconstruct.fusion.prepared_view import PreparedView, prepare
-from insole_core.reconstruct.views.measured_view import measure_view
-from insole_core.reconstruct.volume import volume_of_interest
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session, View
 from insole_core.sensing.correction import load_correction
@@ -99,7 +96,7 @@ def main(*folders: str) -> None:
 def _compare(path: Path) -> None:
     session = _in_memory(read_session(path))
     truth = Truth.of(path)
-    readings = _readings(session)
+    readings = readings_of(session)
     rows = []
     for method in ("fused", "thesis"):
         seconds = _best(partial(reconstruct, session, method))
@@ -130,13 +127,13 @@ def _floors(
     session: Session, readings: list[DepthView], path: Path, truth: Truth
 ) -> Iterator[tuple[str, list[PreparedView]]]:
     """Yield what `fused` would start from if it knew more."""
-    placed = _with_true_poses(readings, path)
+    placed = with_true_poses(readings, path)
     yield "floor: true poses", [prepare(one) for one in placed]
     files = [path / "views" / view.name / "true_correction.npz" for view in session.views]
     if all(file.exists() for file in files):
         views = [_recalibrated(view, file) for view, file in zip(session.views, files, strict=True)]
-        known = _readings(replace(session, views=tuple(views)))
-        known = _with_true_poses(known, path)
+        known = readings_of(replace(session, views=tuple(views)))
+        known = with_true_poses(known, path)
         yield "floor: and true distortion", [prepare(one) for one in known]
     without = [prepare(_exact(one, truth.mesh), corrected=False) for one in placed]
     yield "floor: and depth without error", without
@@ -180,7 +177,7 @@ def _timed(session: Session) -> list[str]:
 
 
 def _fused_by(peer: Peer, session: Session) -> None:
-    peer(_readings(session))
+    peer(readings_of(session))
 
 
 def _best(call: Callable[[], object]) -> list[str]:
@@ -202,24 +199,6 @@ def _in_memory(session: Session) -> Session:
         return replace(view, read_depth=_cycled(view), read_color=colors.__getitem__)
 
     return replace(session, views=tuple(kept(view) for view in session.views))
-
-
-def _readings(session: Session) -> list[DepthView]:
-    """Return the placed views that all pipelines but the thesis's start from."""
-    placed = []
-    for view in session.views:
-        measured = measure_view(view)
-        pose = measured.register(session.manifest.reference_system).sensor2reference
-        box = volume_of_interest(session)
-        placed.append(
-            read_volume(view.name, view.sensor, pose, box, raw=measured.raw, color=measured.color)
-        )
-    return placed
-
-
-def _with_true_poses(readings: list[DepthView], path: Path) -> list[DepthView]:
-    poses = json.loads((path / "truth_poses.json").read_text())["sensor2reference"]
-    return [replace(one, sensor2reference=np.array(poses[one.name])) for one in readings]
 
 
 def _exact(reading: DepthView, truth: TriangleMesh) -> DepthView:
