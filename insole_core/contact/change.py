@@ -125,7 +125,12 @@ class Loading:
         return self.case.load_n(self.weight_kg)
 
     def pressed(
-        self, ground: Ground, assumed: Assumptions, start: FloatArray | None = None
+        self,
+        ground: Ground,
+        assumed: Assumptions,
+        start: Pressed | None = None,
+        *,
+        follows: bool = False,
     ) -> Pressed:
         """Load the foot on a ground.
 
@@ -142,7 +147,7 @@ class Loading:
         )
         load_n = self.load_n * assumed.heavier
         under = ground.softer(assumed.softer)
-        return stand(self.sole, under, load_n, centre, assumed.tissue, start=start)
+        return stand(self.sole, under, load_n, centre, assumed.tissue, start=start, follows=follows)
 
 
 @dataclass(frozen=True)
@@ -168,11 +173,13 @@ class Change:
     loading
     grounds
         The old and the new one.
+    assumed
     old, new
     """
 
     loading: Loading
     grounds: tuple[Ground, Ground]
+    assumed: Assumptions
     old: Pressed
     new: Pressed
 
@@ -180,6 +187,11 @@ class Change:
     def sole(self) -> Sole:
         """Of the foot."""
         return self.loading.sole
+
+    def begins_as(self, loading: Loading, old: Ground, assumed: Assumptions) -> bool:
+        """Return whether the old pressures are those of a foot that stands on a ground."""
+        is_same = self.loading == loading and self.assumed == assumed
+        return is_same and self.grounds[0].is_like(old)
 
     @cached_property
     def old_kpa(self) -> FloatArray:
@@ -364,21 +376,27 @@ def changed(
     new: Ground,
     assumed: Assumptions,
     before: Change | None = None,
+    *,
+    follows: bool = False,
 ) -> Change:
-    """Compute the pressures on two grounds, without their uncertainty; fast enough for a drag.
+    """Compute the pressures on two grounds, without their uncertainty.
 
     Parameters
     ----------
     before
-        Of much the same grounds, to start from; its old pressures are taken where `old` is.
+        Of much the same grounds, to start from; its old pressures are taken if nothing of them
+        has changed.
+    follows
+        Only follow from what was before, while the new ground is being drawn: fast enough for each
+        picture of a drag.
     """
-    start = (None, None) if before is None else (before.old.mpa, before.new.mpa)
-    return Change(
-        loading,
-        (old, new),
-        loading.pressed(old, assumed, start[0]),
-        loading.pressed(new, assumed, start[1]),
-    )
+    if before is not None and before.begins_as(loading, old, assumed):
+        pressed = before.old
+    else:
+        pressed = loading.pressed(old, assumed, None if before is None else before.old)
+    start = None if before is None else before.new
+    after = loading.pressed(new, assumed, start, follows=follows)
+    return Change(loading, (old, new), assumed, pressed, after)
 
 
 def pressure_change(

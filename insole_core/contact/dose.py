@@ -114,7 +114,7 @@ def dose_curve(
     pressed = known.new
     for dose, ground in grounds:
         progress.step(min(len(doses) / _DOSES, 1.0), "Loading the foot")
-        pressed = loading.pressed(ground, assumed or Assumptions(), pressed.mpa)
+        pressed = loading.pressed(ground, assumed or Assumptions(), pressed)
         new = replace(known, grounds=(known.grounds[0], ground), new=pressed)
         percent = new.of(region).peak_percent
         if percent is None:

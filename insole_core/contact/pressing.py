@@ -11,8 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
+import numpy.typing as npt
 import scipy
 
 from insole_core.contact.elastic_layers import Layer, compliance
@@ -23,6 +25,8 @@ BESIDE = 2.0
 """Room beside a grid, in thicknesses of the thickest stack, in which what a load makes sink fades
 out before it comes round again; enough for all that gives way sideways as easily as a foot does."""
 _TABLE = 600
+_SPECTRA = 64
+"""Stacks of layers whose sinking is kept: while a pad is drawn, they are the same again and again."""
 _LEAST_TISSUE_MM = 1e-3
 _ROUNDS, _STEPS = 40, 80
 _ROUGH, _FINE = 3e-2, 1e-3
@@ -34,6 +38,9 @@ _SLIGHT = 1e-3
 """Of the greatest pressure and sinking: less of it, of the wrong sign, changes nothing."""
 _SAME = 2e-3
 """Strain of the tissue that may still change."""
+_FOLLOWED, _FOLLOWED_ROUNDS = 1e-2, 3
+"""As `_FINE` and `_ROUNDS`, while what presses is followed as it is drawn. Figures are then within
+some per cent of the exact ones, and closer the slower it moves."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,11 +70,6 @@ class Bed:
         """Of all layers."""
         return sum(layer.thickness_mm for layer in self.layers)
 
-    def compliance(self, wave_number: FloatArray) -> FloatArray:
-        """(n,) sinking, mm/MPa, under pressures that vary along the face."""
-        whole = compliance(self.layers, wave_number)
-        return np.maximum(whole - compliance(self.counted, wave_number), 0.0)
-
 
 @dataclass(frozen=True, eq=False)
 class Pressed:
@@ -79,6 +81,8 @@ class Pressed:
         Pressure at the nodes, nowhere negative; its sum is the load.
     sunk_mm : (ny, nx) float64
         How far the beds that are no tissue have sunk.
+    strain : (ny, nx) float64
+        Of the tissue.
     sinking_mm
         Of the bone at the load's centre.
     slope
@@ -87,6 +91,7 @@ class Pressed:
 
     mpa: FloatArray
     sunk_mm: FloatArray
+    strain: FloatArray
     sinking_mm: float
     slope: tuple[float, float]
 
@@ -113,12 +118,8 @@ class Support:
         self._padded = tuple(
             1 if n == 1 else scipy.fft.next_fast_len(n + room, real=True) for n in shape
         )
-        along = 2 * np.pi * np.fft.fftfreq(self._padded[0], step_mm)
-        across = 2 * np.pi * np.fft.rfftfreq(self._padded[1], step_mm)
-        wave_number = np.hypot(along[:, None], across)
-        table = np.linspace(0.0, wave_number.max(), _TABLE)
         self._spectra = np.stack(
-            [np.interp(wave_number, table, bed.compliance(table)) for bed in beds]
+            [_spectrum(bed.layers, bed.counted, self._padded, step_mm) for bed in beds]
         )
         shares = np.stack([bed.share for bed in beds])
         thickness = np.array([bed.tissue_mm for bed in beds])
@@ -133,7 +134,7 @@ class Support:
     def sunk(self, mpa: FloatArray, roots: FloatArray) -> FloatArray:
         """(beds, ny, nx) how far each bed sinks under pressures (ny, nx), mm."""
         rows, columns = self.shape
-        loads = scipy.fft.rfft2(mpa * roots, self._padded)
+        loads = scipy.fft.rfft2((mpa * roots).astype(np.float32), self._padded)
         sunk = scipy.fft.irfft2(loads * self._spectra, self._padded)
         return np.asarray(roots * sunk[:, :rows, :columns])
 
@@ -155,7 +156,9 @@ class Support:
         gap_mm: FloatArray,
         load_n: float,
         centre_mm: tuple[float, float],
-        start: FloatArray | None = None,
+        start: Pressed | None = None,
+        *,
+        follows: bool = False,
     ) -> Pressed:
         """Find the pressures under a load.
 
@@ -167,15 +170,32 @@ class Support:
         load_n
         centre_mm
             Of the load, along columns and rows from the first node.
-        start : (ny, nx) float64
-            Pressures to start from, of a support much like this one.
+        start
+            What was found on a support much like this one, to start from.
+        follows
+            Go only a few steps from the start, while the support is being drawn.
 
         Raises
         ------
         InputError
             When no pressure has this centre.
         """
-        return _Search(self, gap_mm, load_n, centre_mm).found(start)
+        return _Search(self, gap_mm, load_n, centre_mm).found(start, follows=follows)
+
+
+@lru_cache(maxsize=_SPECTRA)
+def _spectrum(
+    layers: tuple[Layer, ...], counted: tuple[Layer, ...], shape: tuple[int, int], step_mm: float
+) -> npt.NDArray[np.float32]:
+    """(ny, nx // 2 + 1) float32 sinking, mm/MPa, of layers without those counted, by waves on a grid."""
+    along = 2 * np.pi * np.fft.fftfreq(shape[0], step_mm)
+    across = 2 * np.pi * np.fft.rfftfreq(shape[1], step_mm)
+    wave_number = np.hypot(along[:, None], across)
+    table = np.linspace(0.0, wave_number.max(), _TABLE)
+    sinking = np.maximum(compliance(layers, table) - compliance(counted, table), 0.0)
+    spectrum = np.asarray(np.interp(wave_number, table, sinking), dtype=np.float32)
+    spectrum.flags.writeable = False
+    return spectrum
 
 
 class _Search:
@@ -193,14 +213,18 @@ class _Search:
         self._motions = np.stack([np.ones(support.shape), across, along])
         self._sums = np.array([load_n / support.step_mm ** (2 if rows > 1 else 1), 0.0, 0.0])
 
-    def found(self, start: FloatArray | None) -> Pressed:
-        support = self._support
-        touches = self._sole if start is None else self._sole & (start > 0)
-        mpa = np.zeros(support.shape) if start is None else start
-        strain, fine = np.zeros(support.shape), False
-        for _ in range(_ROUNDS):
+    def found(self, start: Pressed | None, *, follows: bool) -> Pressed:
+        support, fine = self._support, start is not None
+        rounds, finest = _ROUNDS, _FINE
+        mpa = strain = np.zeros(support.shape)
+        touches = self._sole
+        if start is not None:
+            mpa, strain, touches = start.mpa, start.strain, self._sole & (start.mpa > 0)
+            if follows:
+                rounds, finest = _FOLLOWED_ROUNDS, _FOLLOWED
+        for _ in range(rounds):
             roots = support.roots(strain)
-            mpa = self._balanced(mpa, touches, roots, _FINE if fine else _ROUGH)
+            mpa = self._balanced(mpa, touches, roots, finest if fine else _ROUGH)
             beds = support.sunk(mpa, roots)
             sunk = beds.sum(axis=0)
             motion = self._onto_motions(touches, self._gap + sunk)
@@ -216,7 +240,7 @@ class _Search:
         mpa *= self._sums[0] / mpa.sum()
         self._check_centre(mpa)
         slope = float(motion[1] / self._length), float(motion[2] / self._length)
-        return Pressed(mpa, support.layers_sunk(beds), float(motion[0]), slope)
+        return Pressed(mpa, support.layers_sunk(beds), strain, float(motion[0]), slope)
 
     def _balanced(
         self, mpa: FloatArray, touches: BoolArray, roots: FloatArray, left_over: float

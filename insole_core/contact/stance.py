@@ -233,6 +233,14 @@ class Ground:
     shoe: tuple[Layer, ...] = ()
     upper: tuple[Layer, ...] = ()
 
+    def is_like(self, other: Ground) -> bool:
+        """Return whether a foot stands on another ground just as on this one."""
+        return (
+            (self.body, self.shoe, self.upper) == (other.body, other.shoe, other.upper)
+            and np.array_equal(self.top_mm, other.top_mm)
+            and np.array_equal(self.thickness_mm, other.thickness_mm)
+        )
+
     def softer(self, times: float) -> Ground:
         """Return the same with materials of moduli that are so many times lower."""
         if self.body is None:
@@ -338,7 +346,8 @@ def stand(
     centre_mm: tuple[float, float],
     tissue: Tissue,
     *,
-    start: FloatArray | None = None,
+    start: Pressed | None = None,
+    follows: bool = False,
 ) -> Pressed:
     """Load a foot on its ground.
 
@@ -346,8 +355,10 @@ def stand(
     ----------
     centre_mm
         Of the load, insole frame.
-    start : (ny, nx) float64
-        Pressures, MPa, to start from.
+    start
+        What was found on much the same ground, to start from.
+    follows
+        As in `Support.press`.
 
     Raises
     ------
@@ -359,4 +370,4 @@ def stand(
     support = Support(sole.known.shape, sole.field.step_mm, [*beds, *ground.beds(sole.known)])
     gap = np.where(sole.known, sole.field.heights_mm - ground.top_mm, np.nan)
     x_mm, y_mm = centre_mm[0] - sole.field.x0_mm, centre_mm[1] - sole.field.y0_mm
-    return support.press(gap, load_n, (x_mm, y_mm), start)
+    return support.press(gap, load_n, (x_mm, y_mm), start, follows=follows)

@@ -112,25 +112,53 @@ class _Task:
         if self.laid is None:
             return None
         loading = self.loading
-        if before is not None and before.laid is self.laid and before.change.loading == loading:
+        if (
+            before is not None
+            and before.task.laid is self.laid
+            and before.change.loading == loading
+        ):
             return before.fitted
         return fit_tissue(loading, self.laid, progress)
 
     def grounds(self, builder: InsoleBuilder) -> tuple[Ground, Ground]:
-        sole, old = self.sole, self.old_design
-        after = self.shoe.insole(sole, self.design, self.contact)
+        old = self.old_design
         if old is None:
-            return self.shoe.floor(sole, self.design), after
-        return self.shoe.insole(sole, old, builder.insole(self.foot, old).contact), after
+            return self.shoe.floor(self.sole, self.design), self.new_ground
+        contact = builder.insole(self.foot, old).contact
+        return self.shoe.insole(self.sole, old, contact), self.new_ground
+
+    @property
+    def new_ground(self) -> Ground:
+        return self.shoe.insole(self.sole, self.design, self.contact)
+
+    def asks_as(self, other: _Task) -> bool:
+        """Return whether another task differs by no more than the design that is drawn."""
+        return (
+            self.loading == other.loading
+            and self.question == other.question
+            and self.old_design is other.old_design
+            and self.shoe == other.shoe
+            and self.laid is other.laid
+        )
 
 
 @dataclass(frozen=True, eq=False)
 class _Found:
-    """A change, and the fit to a map that it was computed with."""
+    """A change, what it was computed of, and the fit to a map that it was computed with."""
 
     change: Change
+    task: _Task
     fitted: Fitted | None
-    laid: PressureMap | None
+
+    def followed_to(self, task: _Task) -> _Found:
+        """Return the change of a design that is being drawn, from that of the step before."""
+        old = self.change.grounds[0]
+        if task.old_design is None:
+            old = task.shoe.floor(task.sole, task.design)
+        change = changed(
+            task.loading, old, task.new_ground, self.assumed, self.change, follows=True
+        )
+        return replace(self, change=change, task=task)
 
     @property
     def assumed(self) -> Assumptions:
@@ -140,8 +168,8 @@ class _Found:
 class LoadView(QObject):
     """The change of the pressure that is shown, and how sure it is.
 
-    While something is dragged, the newest insole is computed next, without limits; these follow
-    once the hand rests.
+    While something is dragged, each picture of it has its change, followed from that before; all
+    else is computed in the background, and the limits once the hand rests.
     """
 
     changed = Signal()
@@ -168,7 +196,7 @@ class LoadView(QObject):
         self.dose: Dose | None = None
         """That reaches the target; None too where none on the curve does."""
         self.target: Target | None = None
-        self._limited: tuple[_Task, _Found] | None = None
+        self._limited: _Found | None = None
         """Of what the limits were computed."""
         self._is_on_papers = False
         self._on_papers: tuple[_Task, PressureChange] | None = None
@@ -194,7 +222,7 @@ class LoadView(QObject):
         self.target, self.curve, self.dose = target, None, None
         self.told.emit()
         if self._limited is not None and not self._is_computing:
-            self._find_dose(*self._limited)
+            self._find_dose(self._limited)
 
     @property
     def is_on_papers(self) -> bool:
@@ -216,7 +244,7 @@ class LoadView(QObject):
 
     def _note_for_papers(self) -> None:
         if self._is_on_papers and self._limited is not None and self.limits is not None:
-            self._on_papers = self._limited[0], self.limits
+            self._on_papers = self._limited.task, self.limits
 
     @property
     def problem(self) -> str:
@@ -252,9 +280,12 @@ class LoadView(QObject):
         if foot is not self._foot:
             self._drop()
             self._foot = foot
+        found = self._found
         if task is None:
             return
-        if self._is_computing:
+        if found is not None and not task.is_at_rest and found.task.asks_as(task):
+            self._follow(found, task)
+        elif self._is_computing:
             self._is_late = True
         else:
             self._start(task)
@@ -283,6 +314,15 @@ class LoadView(QObject):
             return None
         return next((one.design for one in record.variants if one.name == question.variant), None)
 
+    def _follow(self, found: _Found, task: _Task) -> None:
+        """Show the change of what is drawn at once: a job would wait for the pictures."""
+        self._jobs.cancel(CHANNEL)
+        self._is_computing = False
+        try:
+            self._show(found.followed_to(task))
+        except InsoleError as error:
+            self._show(None, str(error))
+
     def _start(self, task: _Task) -> None:
         self._is_computing, self._is_late = True, False
         builder, before = self._surface.builder, self._found
@@ -294,12 +334,12 @@ class LoadView(QObject):
             assumed = Assumptions() if fitted is None else fitted.assumed
             start = None if before is None else before.change
             change = changed(task.loading, old, new, assumed, start)
-            return _Found(change, fitted, task.laid)
+            return _Found(change, task, fitted)
 
         def take(found: _Found) -> None:
             self._is_computing = False
             self._show(found)
-            self._go_on(task, found)
+            self._go_on(found)
 
         def fail(error: Exception) -> None:
             self._is_computing = False
@@ -310,15 +350,15 @@ class LoadView(QObject):
 
         self._jobs.start(CHANNEL, compute, take, fail)
 
-    def _go_on(self, task: _Task, found: _Found) -> None:
+    def _go_on(self, found: _Found) -> None:
         """Compute a newer insole, or the limits of this one."""
         if self._is_late:
             self._refresh()
-        elif task.is_at_rest:
-            self._find_limits(task, found)
+        elif found.task.is_at_rest:
+            self._find_limits(found)
 
-    def _find_limits(self, task: _Task, found: _Found) -> None:
-        change = found.change
+    def _find_limits(self, found: _Found) -> None:
+        change, task = found.change, found.task
 
         def compute(progress: Progress) -> PressureChange:
             return pressure_change(
@@ -331,16 +371,16 @@ class LoadView(QObject):
             )
 
         def take(told: PressureChange) -> None:
-            self.limits, self._limited = told, (task, found)
+            self.limits, self._limited = told, found
             self._note_for_papers()
             self.changed.emit()
             self.told.emit()
-            self._find_dose(task, found)
+            self._find_dose(found)
 
         self._jobs.start(CHANNEL, compute, take, self._keep)
 
-    def _find_dose(self, task: _Task, base_on: _Found) -> None:
-        change = base_on.change
+    def _find_dose(self, base_on: _Found) -> None:
+        change, task = base_on.change, base_on.task
         target, base = self.target, self._surface.base
         pad = None if target is None else task.design.found(target.pad_id, Pelott)
         if target is None or pad is None or base is None:

@@ -189,10 +189,12 @@ def test_where_a_foot_cannot_stand_as_it_may_nothing_is_told(
 ) -> None:
     loaded = Loading.pressed
 
-    def pressed(loading: Loading, ground: Ground, assumed: Assumptions, *start: Any) -> Pressed:
+    def pressed(
+        loading: Loading, ground: Ground, assumed: Assumptions, *start: Any, **how: Any
+    ) -> Pressed:
         if assumed.moved_mm[1] > 0:
             raise InputError("No pressure has this centre.")
-        return loaded(loading, ground, assumed, *start)
+        return loaded(loading, ground, assumed, *start, **how)
 
     monkeypatch.setattr(Loading, "pressed", pressed)
     heel = pressure_change(Loading(sole, 75), shoe_floor(sole), insole, known=from_flat).regions[
