@@ -268,7 +268,7 @@ class Change:
             or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
         ):
             return Message("Published series on pads under the heads are not reproduced.")
-        if self._is_densified(name):
+        if self._densified[inside(self.sole, name)].any():
             return Message("The insole is too thin there: it is compressed by more than half.")
         return _NOT_LOADED if self.peaks_kpa(name)[0] < LOADED_KPA else _NONE
 
@@ -286,18 +286,18 @@ class Change:
         held = (name for name in _APART if number in _numbers(name))
         return next((self.reason(name) for name in held), _NOT_LOADED)
 
-    def _is_densified(self, name: str) -> bool:
-        """Return whether an insole is so compressed in a region that its foam gets stiffer."""
-        here = inside(self.sole, name)
-        return any(
-            bool((ground.strain(pressed.sunk_mm)[here & (pressed.mpa > 0)] > _DENSE).any())
-            for ground, pressed in zip(self.grounds, (self.old, self.new), strict=True)
-        )
+    @cached_property
+    def _densified(self) -> BoolArray:
+        """(ny, nx) where one of the insoles is so compressed that its foam gets stiffer."""
+        densified = np.zeros(self.sole.known.shape, dtype=np.bool_)
+        for ground, pressed in zip(self.grounds, (self.old, self.new), strict=True):
+            densified |= (ground.strain(pressed.sunk_mm) > _DENSE) & (pressed.mpa > 0)
+        return densified
 
 
 def inside(sole: Sole, name: str) -> BoolArray:
     """(ny, nx) which nodes of a sole belong to one of `GROUPS`."""
-    return np.isin(sole.regions, _numbers(name)) & sole.known
+    return np.asarray(np.any([sole.masks[number] for number in _numbers(name)], axis=0))
 
 
 def _numbers(name: str) -> list[int]:
@@ -463,10 +463,9 @@ def _varied(usual: Change, assumed: Assumptions) -> Change | None:
 def _unevenly_raised_mm(sole: Sole, grounds: tuple[Ground, Ground], name: str) -> float:
     """Return how much another form a region has on the new ground, whatever its level and tilt."""
     old, new = grounds
-    here = inside(sole, name)
-    raised = (new.top_mm - old.top_mm)[here]
-    nodes = sole.field.nodes[here.ravel()]
-    plane = np.column_stack([np.ones(len(nodes)), nodes[:, :2]])
+    rows, columns = np.nonzero(inside(sole, name))
+    raised = (new.top_mm - old.top_mm)[rows, columns]
+    plane = np.column_stack([np.ones(len(rows)), columns, rows])
     off = raised - plane @ np.linalg.lstsq(plane, raised, rcond=None)[0]
     return float(np.ptp(off)) if len(off) else 0.0
 

@@ -26,7 +26,7 @@ BESIDE = 2.0
 out before it comes round again; enough for all that gives way sideways as easily as a foot does."""
 _TABLE = 600
 _SPECTRA = 64
-"""Stacks of layers whose sinking is kept: while a pad is drawn, they are the same again and again."""
+"""Stacks of layers whose sinking is kept: while a pad is drawn, they stay the same."""
 _LEAST_TISSUE_MM = 1e-3
 _ROUNDS, _STEPS = 40, 80
 _ROUGH, _FINE = 3e-2, 1e-3
@@ -38,9 +38,9 @@ _SLIGHT = 1e-3
 """Of the greatest pressure and sinking: less of it, of the wrong sign, changes nothing."""
 _SAME = 2e-3
 """Strain of the tissue that may still change."""
-_FOLLOWED, _FOLLOWED_ROUNDS = 1e-2, 3
-"""As `_FINE` and `_ROUNDS`, while what presses is followed as it is drawn. Figures are then within
-some per cent of the exact ones, and closer the slower it moves."""
+_FOLLOWED, _FOLLOWED_SAME, _FOLLOWED_ROUNDS = 1e-2, 1e-2, 3
+"""As `_FINE`, `_SAME` and `_ROUNDS`, and `_FEW` may still change what touches, while a support is
+followed as it is drawn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,7 +187,7 @@ class Support:
 def _spectrum(
     layers: tuple[Layer, ...], counted: tuple[Layer, ...], shape: tuple[int, int], step_mm: float
 ) -> npt.NDArray[np.float32]:
-    """(ny, nx // 2 + 1) float32 sinking, mm/MPa, of layers without those counted, by waves on a grid."""
+    """(ny, nx // 2 + 1) sinking, mm/MPa, of layers without those counted, by waves on a grid."""
     along = 2 * np.pi * np.fft.fftfreq(shape[0], step_mm)
     across = 2 * np.pi * np.fft.rfftfreq(shape[1], step_mm)
     wave_number = np.hypot(along[:, None], across)
@@ -215,13 +215,13 @@ class _Search:
 
     def found(self, start: Pressed | None, *, follows: bool) -> Pressed:
         support, fine = self._support, start is not None
-        rounds, finest = _ROUNDS, _FINE
+        rounds, finest, same, few = _ROUNDS, _FINE, _SAME, 0.0
         mpa = strain = np.zeros(support.shape)
         touches = self._sole
         if start is not None:
             mpa, strain, touches = start.mpa, start.strain, self._sole & (start.mpa > 0)
             if follows:
-                rounds, finest = _FOLLOWED_ROUNDS, _FOLLOWED
+                rounds, finest, same, few = _FOLLOWED_ROUNDS, _FOLLOWED, _FOLLOWED_SAME, _FEW
         for _ in range(rounds):
             roots = support.roots(strain)
             mpa = self._balanced(mpa, touches, roots, finest if fine else _ROUGH)
@@ -233,7 +233,7 @@ class _Search:
             after = self._sole & np.where(touches, stays, joins)
             changed, touches = int((after != touches).sum()), after
             before, strain = strain, support.strain(beds, strain)
-            if fine and changed == 0 and np.abs(strain - before).max() < _SAME:
+            if fine and changed <= few * touches.sum() and np.abs(strain - before).max() < same:
                 break
             fine = changed <= _FEW * touches.sum()
         mpa = np.maximum(mpa, 0.0)

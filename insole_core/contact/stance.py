@@ -23,7 +23,7 @@ from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import sole_surface
 from insole_core.messages import Message
 from insole_core.pressure.alignment import CELL_MM, SolePrint
-from insole_core.pressure.regions import regions_of
+from insole_core.pressure.regions import REGIONS, regions_of
 
 STEP_MM = 2.0
 SOFT_SHOE = (Layer(10.0, 2.0, 0.2),)
@@ -126,6 +126,11 @@ class Sole:
         """(ny, nx) numbers of the regions, in `REGIONS`; -1 beside the foot."""
         numbers = regions_of(self.field.nodes[:, :2], self.landmarks, _BEHIND_HEADS)
         return numbers.reshape(self.known.shape)
+
+    @cached_property
+    def masks(self) -> tuple[BoolArray, ...]:
+        """(ny, nx) which nodes that can touch are in each of `REGIONS`."""
+        return tuple((self.regions == number) & self.known for number in range(len(REGIONS)))
 
     @cached_property
     def share(self) -> FloatArray:

@@ -319,9 +319,13 @@ class LoadView(QObject):
         self._jobs.cancel(CHANNEL)
         self._is_computing = False
         try:
-            self._show(found.followed_to(task))
+            followed, problem = found.followed_to(task), ""
         except InsoleError as error:
-            self._show(None, str(error))
+            followed, problem = None, str(error)
+        if followed is not None and self.limits is None and not self._problem:
+            self._take(followed)  # and nothing else is told than at the step before
+        else:
+            self._show(followed, problem)
 
     def _start(self, task: _Task) -> None:
         self._is_computing, self._is_late = True, False
@@ -431,11 +435,14 @@ class LoadView(QObject):
         self._show(None)
 
     def _show(self, found: _Found | None, problem: str = "") -> None:
-        self._found, self.change = found, None if found is None else found.change
         self.limits, self._problem = None, problem
         self.curve, self.dose, self._limited = None, None, None
-        self.changed.emit()
+        self._take(found)
         self.told.emit()
+
+    def _take(self, found: _Found | None) -> None:
+        self._found, self.change = found, None if found is None else found.change
+        self.changed.emit()
 
 
 def _sentence(error: Exception) -> str:

@@ -34,7 +34,9 @@ class Legend(QWidget):
         """Show another colour map; None hides the legend."""
         if coloring is not None and not coloring.title:
             coloring = None  # a picture, which has no scale of values
-        self._coloring = coloring
+        before, self._coloring = self._coloring, coloring
+        if _words(before) == _words(coloring):
+            return  # other values, as in every picture of a drag: the panel is not laid out anew
         self.setVisible(coloring is not None)
         self.setToolTip("" if coloring is None else coloring.title)
         self.updateGeometry()
@@ -98,6 +100,16 @@ class Legend(QWidget):
         painter.fillRect(QRectF(left, 5, SWATCH_PX, self.height() - 10), QColor(MISSING))
         text = QRectF(left + SWATCH_PX + 6, 0, self._missing_px, self.height())
         painter.drawText(text, Qt.AlignmentFlag.AlignVCenter, self._coloring.missing)
+
+
+def _words(coloring: Coloring | None) -> tuple[object, ...]:
+    """Return all that a legend shows of a colour map."""
+    if coloring is None:
+        return ()
+    return (
+        coloring.title, coloring.limits, coloring.colors, coloring.unit, coloring.is_clipped,
+        coloring.missing,
+    )  # fmt: skip
 
 
 class SwatchLegend(QWidget):

@@ -129,6 +129,23 @@ def test_grids_of_2_and_3_mm_find_the_peaks_of_1_mm(sole: Sole, from_flat: Chang
                 assert found == pytest.approx(expected, rel=0.03)
 
 
+def test_what_is_drawn_is_followed_closely_from_the_step_before(
+    sole: Sole, from_flat: Change
+) -> None:
+    design, followed = padded(sole.foot, 4), from_flat
+    x, y = pad(sole.foot, 4).centre_mm
+    for ahead_mm in (2.0, 4.0):
+        moved = replace(pad(sole.foot, 4), centre_mm=(x, y + ahead_mm))
+        ground = EVA.built(sole, replace(design, corrections=(moved,)))
+        followed = changed(
+            from_flat.loading, shoe_floor(sole), ground, Assumptions(), followed, follows=True
+        )
+        assert followed.old is from_flat.old
+    exact = changed(from_flat.loading, shoe_floor(sole), ground, Assumptions())
+    for name in ("heel", "midfoot", "metatarsal_heads", "toes"):
+        assert followed.of(name).peak_percent == pytest.approx(exact.of(name).peak_percent, abs=6)
+
+
 def test_limits_hold_the_change_and_the_same_ground_changes_nothing(
     sole: Sole, insole: Ground, from_flat: Change
 ) -> None:

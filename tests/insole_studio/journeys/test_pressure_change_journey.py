@@ -75,8 +75,9 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     (pad,) = app.case.record.design.of(Pelott)
     higher = app.case.record.design.with_changed(replace(pad, height_mm=pad.height_mm + 3))
     app.case.preview(higher)  # as at a drag
+    assert load.change is not before  # in the picture of this move, not in a later one
+    assert load.change.old is before.old
     settle()
-    assert load.change is not before
     assert load.limits is None  # only once the hand rests
     assert {row.cells[1] for row in dialog.table.rows} == {"…"}
     apex = np.array(pad.centre_mm)

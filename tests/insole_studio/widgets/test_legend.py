@@ -6,7 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_studio.scene.coloring import MISSING, Coloring
@@ -37,6 +39,31 @@ def test_a_scale_that_ends_before_the_values_says_so(qtbot: QtBot) -> None:
         legend.show_coloring(replace(COLORING, is_clipped=is_clipped))
         pictures.append(legend.grab().toImage())
     assert pictures[0] != pictures[1]
+
+
+def test_other_values_on_the_same_scale_lay_nothing_out_anew(qtbot: QtBot) -> None:
+    panel, legend, laid_out = QWidget(), Legend(), []
+
+    class Watch(QObject):
+        def eventFilter(self, _watched: QObject, event: QEvent) -> bool:  # noqa: N802
+            if event.type() is QEvent.Type.LayoutRequest:
+                laid_out.append(event)
+            return False
+
+    watch = Watch()
+    qtbot.addWidget(panel)
+    panel.installEventFilter(watch)
+    QVBoxLayout(panel).addWidget(legend)
+    panel.show()
+    legend.show_coloring(COLORING)
+    QApplication.processEvents()
+    before = len(laid_out)
+    legend.show_coloring(replace(COLORING, values=np.ones(3)))  # as at each step of a drag
+    QApplication.processEvents()
+    assert len(laid_out) == before
+    legend.show_coloring(replace(COLORING, missing="not measured"))
+    QApplication.processEvents()
+    assert len(laid_out) > before
 
 
 def _has_swatch(legend: Legend) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from insole_core.contact.change import Told
+from insole_core.contact.change import Change, Told
 from insole_core.contact.change_report import REGION_WORDS
 from insole_core.contact.dose import Dose
 from insole_core.contact.fit import Fitted
@@ -132,10 +132,15 @@ class LoadActions:
             dialog.reasons.say("")
             return
         told = {} if load.limits is None else load.limits.regions
+        area = "" if load.limits is None else _area_text(change)
         rows = [_row(name, text, told.get(name), load.problem) for name, text in _regions().items()]
         dialog.reasons.say_all(_reasons(told))  # before the rows, which make room for all
-        old, new = (localised(mm2 / 100, ".0f") for mm2 in change.areas_mm2)
-        dialog.show_rows(rows, fill(tr("Contact {old} → {new} cm²"), old=old, new=new))
+        dialog.show_rows(rows, area)
+
+
+def _area_text(change: Change) -> str:
+    old, new = (localised(mm2 / 100, ".0f") for mm2 in change.areas_mm2)
+    return fill(tr("Contact {old} → {new} cm²"), old=old, new=new)
 
 
 def _fit_text(fitted: Fitted | None) -> str:
