@@ -107,7 +107,7 @@ class MainController(QObject):
         self._services.recent.changed.connect(self._show_recent)
         self._stage.action_requested.connect(self._run_requested)
         self._stage.plantar.changed.connect(self._show_choices)
-        self._stage.load.changed.connect(self._show_choices)
+        self._stage.load.told.connect(self._show_choices)
         self._stage.steps.chosen.connect(self._go_to_step)
 
     def _connect_features(self) -> None:

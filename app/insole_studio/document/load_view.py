@@ -55,12 +55,15 @@ class LoadQuestion:
         Whose insole the foot stood on before; empty for a flat shoe.
     is_fitted
         Whether the tissue is fitted to the map that lies under the foot.
+    is_both
+        Whether the insole of the variant is told beside, each of both against a flat shoe.
     """
 
     weight_kg: float
     posture: Posture = Posture.STANDING
     variant: str = ""
     is_fitted: bool = False
+    is_both: bool = False
 
 
 @dataclass(frozen=True)
@@ -120,12 +123,32 @@ class _Task:
             return before.fitted
         return fit_tissue(loading, self.laid, progress)
 
+    @property
+    def beside(self) -> InsoleDesign | None:
+        """What is told beside, against a flat shoe."""
+        return self.old_design if self.question.is_both else None
+
+    @property
+    def base(self) -> InsoleDesign | None:
+        """What the foot stood on before; None in a flat shoe."""
+        return None if self.question.is_both else self.old_design
+
     def grounds(self, builder: InsoleBuilder) -> tuple[Ground, Ground]:
-        old = self.old_design
-        if old is None:
+        if self.base is None:
             return self.shoe.floor(self.sole, self.design), self.new_ground
-        contact = builder.insole(self.foot, old).contact
-        return self.shoe.insole(self.sole, old, contact), self.new_ground
+        return self._built(self.base, builder), self.new_ground
+
+    def changed_beside(self, builder: InsoleBuilder, change: Change) -> Change | None:
+        """Return the change from a flat shoe to the variant; None where it is not told beside."""
+        design = self.beside
+        if design is None:
+            return None
+        floor = self.shoe.floor(self.sole, design)
+        return changed(change.loading, floor, self._built(design, builder), change.assumed, change)
+
+    def _built(self, design: InsoleDesign, builder: InsoleBuilder) -> Ground:
+        contact = builder.insole(self.foot, design).contact
+        return self.shoe.insole(self.sole, design, contact)
 
     @property
     def new_ground(self) -> Ground:
@@ -149,11 +172,12 @@ class _Found:
     change: Change
     task: _Task
     fitted: Fitted | None
+    beside: Change | None
 
     def followed_to(self, task: _Task) -> _Found:
         """Return the change of a design that is being drawn, from that of the step before."""
         old = self.change.grounds[0]
-        if task.old_design is None:
+        if task.base is None:
             old = task.shoe.floor(task.sole, task.design)
         change = changed(
             task.loading, old, task.new_ground, self.assumed, self.change, follows=True
@@ -191,6 +215,8 @@ class LoadView(QObject):
         self.change: Change | None = None
         self.limits: PressureChange | None = None
         """None while they are computed."""
+        self.limits_beside: PressureChange | None = None
+        """Of the variant beside; None where there is none, and while they are computed."""
         self.curve: DoseCurve | None = None
         """By the target; None without one, and while it is computed."""
         self.dose: Dose | None = None
@@ -268,11 +294,20 @@ class LoadView(QObject):
         return None if self._found is None else self._found.fitted
 
     @property
-    def untold(self) -> tuple[str, ...]:
-        """Names of the regions that have no colour, as nothing can be told of them."""
-        if self.limits is not None:
-            return self.limits.cannot_tell
-        return () if self.change is None else self.change.untold
+    def is_both(self) -> bool:
+        """Whether a variant is told beside, each of both against a flat shoe."""
+        return self._question is not None and self._question.is_both
+
+    def beside(self, design: InsoleDesign) -> Change | None:
+        """Return the change of the variant beside; None for another design than is told."""
+        found = self._found
+        return None if found is None or found.task.beside != design else found.beside
+
+    def untold_of(self, change: Change) -> tuple[str, ...]:
+        """Return the regions that have no colour, as nothing can be told of them."""
+        known = (self.limits, self.limits_beside)
+        told = next((one for one in known if one is not None and one.change is change), None)
+        return change.untold if told is None else told.cannot_tell
 
     def _refresh(self) -> None:
         task = self._task()
@@ -338,7 +373,7 @@ class LoadView(QObject):
             assumed = Assumptions() if fitted is None else fitted.assumed
             start = None if before is None else before.change
             change = changed(task.loading, old, new, assumed, start)
-            return _Found(change, task, fitted)
+            return _Found(change, task, fitted, task.changed_beside(builder, change))
 
         def take(found: _Found) -> None:
             self._is_computing = False
@@ -362,9 +397,9 @@ class LoadView(QObject):
             self._find_limits(found)
 
     def _find_limits(self, found: _Found) -> None:
-        change, task = found.change, found.task
+        task = found.task
 
-        def compute(progress: Progress) -> PressureChange:
+        def told_of(change: Change, progress: Progress) -> PressureChange:
             return pressure_change(
                 change.loading,
                 *change.grounds,
@@ -374,8 +409,15 @@ class LoadView(QObject):
                 progress=progress,
             )
 
-        def take(told: PressureChange) -> None:
-            self.limits, self._limited = told, found
+        def compute(progress: Progress) -> tuple[PressureChange, PressureChange | None]:
+            if found.beside is None:
+                return told_of(found.change, progress), None
+            own = told_of(found.change, progress.part(0.0, 0.5))
+            return own, told_of(found.beside, progress.part(0.5, 1.0))
+
+        def take(told: tuple[PressureChange, PressureChange | None]) -> None:
+            self.limits, self.limits_beside = told
+            self._limited = found
             self._note_for_papers()
             self.changed.emit()
             self.told.emit()
@@ -435,7 +477,7 @@ class LoadView(QObject):
         self._show(None)
 
     def _show(self, found: _Found | None, problem: str = "") -> None:
-        self.limits, self._problem = None, problem
+        self.limits, self.limits_beside, self._problem = None, None, problem
         self.curve, self.dose, self._limited = None, None, None
         self._take(found)
         self.told.emit()

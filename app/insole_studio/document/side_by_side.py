@@ -97,9 +97,16 @@ class SideBySide(QObject):
         """Whether it has to be mirrored to match the active foot."""
         return self.built is not None and self.built.foot.side is not self._case.side
 
-    def show(self, kind: Beside) -> None:
-        """Show another counterpart beside the active foot."""
+    def show(self, kind: Beside, variant: str = "") -> None:
+        """Show another counterpart beside the active foot.
+
+        Parameters
+        ----------
+        variant
+            Its name; by default the one that was chosen before.
+        """
         self.kind = kind
+        self._against = variant or self._against
         self.built = None
         self._refresh()
         self.changed.emit()

@@ -192,8 +192,9 @@ class Painter:
             smooth_shading=False,
             specular=0.0,
             style="wireframe" if self._wireframe else "surface",
-            **self._surface_colors(mesh, coloring),
+            **surface_look(self._surface, mesh, coloring),
         )
+        self._colored = _kind(coloring)
 
     def move_surface(
         self,
@@ -530,28 +531,6 @@ class Painter:
         leaders = self._tags.place(look, np.hstack([middle - half, middle + half]))
         self.show_lines("name-leaders", leaders, self.scheme.text, 1.0)
 
-    def _surface_colors(self, mesh: TriangleMesh, coloring: Coloring | None) -> dict[str, Any]:
-        self._colored = _kind(coloring)
-        if coloring is not None and coloring.painted is not None:
-            assert self._surface is not None
-            self._surface.point_data["painted"] = coloring.painted
-            return {"scalars": "painted", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
-        if coloring is not None:
-            assert self._surface is not None
-            self._surface.point_data["values"] = coloring.values
-            return {
-                "scalars": "values",
-                "cmap": coloring.color_map,
-                "clim": coloring.limits,
-                "nan_color": MISSING,
-                "show_scalar_bar": False,
-                "ambient": 0.35,
-                "diffuse": 0.7,
-            }
-        if mesh.colors is not None:
-            return {"scalars": "colors", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
-        return {"color": MATERIAL, "ambient": 0.15, "diffuse": 0.85}
-
     def _show_dots(self, name: str, places: Sequence[Any], size: float, color: str) -> None:
         self._show_in_front(
             name,
@@ -626,6 +605,37 @@ class Painter:
             justification_horizontal="center" if centred else "left",
             justification_vertical="center",
         )
+
+
+def surface_look(
+    surface: pv.PolyData, mesh: TriangleMesh, coloring: Coloring | None
+) -> dict[str, Any]:
+    """Return how a plotter shows a surface, and put the values of its colours into it.
+
+    Parameters
+    ----------
+    surface
+        Of the mesh.
+    coloring
+        By default the mesh's own colours, or those of the material.
+    """
+    if coloring is not None and coloring.painted is not None:
+        surface.point_data["painted"] = coloring.painted
+        return {"scalars": "painted", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
+    if coloring is not None:
+        surface.point_data["values"] = coloring.values
+        return {
+            "scalars": "values",
+            "cmap": coloring.color_map,
+            "clim": coloring.limits,
+            "nan_color": MISSING,
+            "show_scalar_bar": False,
+            "ambient": 0.35,
+            "diffuse": 0.7,
+        }
+    if mesh.colors is not None:
+        return {"scalars": "colors", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
+    return {"color": MATERIAL, "ambient": 0.15, "diffuse": 0.85}
 
 
 def _kind(coloring: Coloring | None) -> tuple[str, bool]:

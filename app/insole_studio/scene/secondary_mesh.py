@@ -9,8 +9,9 @@ import numpy as np
 from pyvista import Color
 
 from insole_core.geometry.mesh import TriangleMesh
+from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.guide_lines import NameLabel
-from insole_studio.scene.painter import MATERIAL, polydata
+from insole_studio.scene.painter import polydata, surface_look
 
 NAME_PX, FRAME_PX = 15, 4
 
@@ -23,16 +24,15 @@ class SecondaryMesh:
         self.pixel_ratio = pixel_ratio
         self._named = 0
 
-    def show(self, mesh: TriangleMesh | None) -> None:
-        """Show a surface in its own or the material's colours; None removes it."""
+    def show(self, mesh: TriangleMesh | None, coloring: Coloring | None = None) -> None:
+        """Show a surface, by default in its own or the material's colours; None removes it."""
         self._plotter.remove_actor("companion", render=False)
         if mesh is None:
             return
-        look: dict[str, Any] = {"color": MATERIAL, "ambient": 0.15, "diffuse": 0.85}
-        if mesh.colors is not None:
-            look = {"scalars": "colors", "rgb": True, "ambient": 0.55, "diffuse": 0.5}
+        surface = polydata(mesh)
+        look = surface_look(surface, mesh, coloring)
         self._plotter.add_mesh(
-            polydata(mesh), name="companion", render=False, reset_camera=False, specular=0.0, **look
+            surface, name="companion", render=False, reset_camera=False, specular=0.0, **look
         )
 
     def clear(self) -> None:

@@ -283,11 +283,11 @@ class ModelView(QWidget):
         self.scene.painter.show_directions(side, bounds_mm)
         self.scene.request_render()
 
-    def show_companion(self, mesh: TriangleMesh | None) -> None:
-        """Show the mesh beside the subject; None removes it."""
+    def show_companion(self, mesh: TriangleMesh | None, coloring: Coloring | None = None) -> None:
+        """Show the mesh beside the subject, in the colours of the legend; None removes it."""
         if mesh is None and not self.scene.is_open:
             return
-        self.scene.companion.show(mesh)
+        self.scene.companion.show(mesh, coloring)
         self.scene.request_render()
 
     def show_names(self, names: Sequence[NameLabel]) -> None:

@@ -131,6 +131,12 @@ class RowTable(QTableView):
         number = self.currentIndex().row()
         return self._rows.rows[number].key if number >= 0 else ""
 
+    def show_headings(self, headings: Sequence[str]) -> None:
+        """Show other headings; a column without one is hidden."""
+        self._rows.name_columns(headings)
+        for column, heading in enumerate(headings):
+            self.setColumnHidden(column, not heading)
+
     def show_rows(self, rows: Sequence[TableRow]) -> None:
         """Show rows; the cursor stays on the row of the same key, and the table as it is sorted."""
         if tuple(rows) == self._given:
@@ -221,6 +227,11 @@ class _Rows(QAbstractTableModel):
         self.beginResetModel()
         self.rows = tuple(rows)
         self.endResetModel()
+
+    def name_columns(self, headings: Sequence[str]) -> None:
+        """Give the columns other headings."""
+        self._headings = tuple(headings)
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(headings) - 1)
 
     def rowCount(self, parent: _Index = _NOWHERE) -> int:
         """Return the number of rows."""

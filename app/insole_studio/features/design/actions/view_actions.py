@@ -161,8 +161,13 @@ class SideBySideActions:
         """The colour map of the insole."""
         return self._stage.insole_presenter.map_kind
 
-    def show_beside(self, kind: Beside) -> None:
+    def show_beside(self, kind: Beside, variant: str = "") -> None:
         """Choose what to show beside the active foot.
+
+        Parameters
+        ----------
+        variant
+            Its name; by default the one that was chosen before.
 
         Raises
         ------
@@ -175,7 +180,7 @@ class SideBySideActions:
             )
         if kind is Beside.VARIANT and not self._has_variants:
             raise UsageError(tr("This foot has one variant only; duplicate it first (Ctrl+D)."))
-        self.counterpart.show(kind)
+        self.counterpart.show(kind, variant)
         if kind is Beside.NOTHING:
             self._drop_difference()
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from insole_core.contact.change import Change, Told
+from insole_core.contact.change import PressureChange
 from insole_core.contact.change_report import REGION_WORDS
 from insole_core.contact.dose import Dose
 from insole_core.contact.fit import Fitted
 from insole_core.insole.elements import Pelott
 from insole_studio.document.load_view import LoadView, Target
+from insole_studio.document.side_by_side import Beside
 from insole_studio.features.design.actions.view_actions import SideBySideActions
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.models.color_maps import MapKind
@@ -31,6 +32,8 @@ class LoadActions:
         self._services, self._case = services, services.case
         self._load, self._side_by_side = load, side_by_side
         self._dialog: LoadDialog | None = None
+        self._is_beside = False
+        """Whether a variant stands beside because both are told."""
         load.told.connect(self._show_told)
         self._case.changed.connect(self._show_variants)
         self._case.selection_changed.connect(self._aim)
@@ -57,7 +60,7 @@ class LoadActions:
             dialog.finished.connect(self._close)
             dialog.offer_regions(_regions())
             self._show_variants()
-            dialog.show()
+            dialog.show_beside_views()
             self._ask()
         self._dialog.raise_()
 
@@ -67,8 +70,21 @@ class LoadActions:
             self._services.settings.pressure_change_read = True
             self._services.save_settings()
         self._load.ask(self._dialog.question)
+        self._show_beside()
         self._aim()
         self._show_told()
+
+    def _show_beside(self) -> None:
+        """Show the variant beside that is told beside, and none that was shown for that alone."""
+        question = None if self._dialog is None else self._dialog.question
+        if question is not None and question.is_both:
+            counterpart = self._side_by_side.counterpart
+            if (counterpart.kind, counterpart.variant) != (Beside.VARIANT, question.variant):
+                self._is_beside = True
+                self._side_by_side.show_beside(Beside.VARIANT, question.variant)
+        elif self._is_beside:
+            self._is_beside = False
+            self._side_by_side.show_beside(Beside.NOTHING)
 
     def _aim(self) -> None:
         """Aim at the target, by the selected pad, or else by the first of the design."""
@@ -103,17 +119,22 @@ class LoadActions:
         self._dialog = None
         self._load.aim(None)
         self._load.ask(None)
+        self._show_beside()
         if self._side_by_side.map_kind is MapKind.LOAD:
             self._side_by_side.show_map(MapKind.NONE)
-            self._load.changed.emit()
+            self._load.told.emit()
 
     def _show_variants(self) -> None:
         foot = self._case.record.current
         if self._dialog is not None and foot is not None:
             names = [one.name for one in foot.variants if one.name != foot.chosen]
-            self._dialog.show_variants(names)
+            both = self._dialog.both.isChecked()
+            self._dialog.show_variants(
+                names, self._side_by_side.counterpart.variant if both else ""
+            )
             self._dialog.offer_fit(foot.plantar.pressure is not None)
             self._load.ask(self._dialog.question)
+            self._show_beside()
 
     def _show_told(self) -> None:
         dialog, load = self._dialog, self._load
@@ -126,21 +147,36 @@ class LoadActions:
         dialog.assumed.say_all(load.notes)
         dialog.fitted.say(_fit_text(load.fitted))
         self._show_dose(dialog)
-        change = load.change
-        if change is None:
+        if load.change is None:
             dialog.show_rows([], "")
             dialog.reasons.say("")
             return
-        told = {} if load.limits is None else load.limits.regions
-        area = "" if load.limits is None else _area_text(change)
-        rows = [_row(name, text, told.get(name), load.problem) for name, text in _regions().items()]
-        dialog.reasons.say_all(_reasons(told))  # before the rows, which make room for all
-        dialog.show_rows(rows, area)
+        told = [load.limits, load.limits_beside] if load.is_both else [load.limits]
+        pair = self._pair(dialog) if load.is_both else ("",)
+        dialog.reasons.say_all(_all_reasons(told, pair))  # before the rows, which make room for all
+        rows = [_row(name, text, told, load.problem) for name, text in _regions().items()]
+        areas = [_area_text(one, name) for one, name in zip(told, pair, strict=True)]
+        dialog.show_rows(rows, "   ".join(areas).strip(), pair if load.is_both else ())
+
+    def _pair(self, dialog: LoadDialog) -> tuple[str, str]:
+        """Return the names of both variants that are told."""
+        foot = self._case.record.current
+        return "" if foot is None else foot.chosen, str(dialog.against.currentData())
 
 
-def _area_text(change: Change) -> str:
-    old, new = (localised(mm2 / 100, ".0f") for mm2 in change.areas_mm2)
-    return fill(tr("Contact {old} → {new} cm²"), old=old, new=new)
+def _area_text(told: PressureChange | None, name: str) -> str:
+    """Return the area of contact before and after; empty until it is told.
+
+    Parameters
+    ----------
+    name
+        Of the variant, where two are told.
+    """
+    if told is None:
+        return ""
+    old, new = (localised(mm2 / 100, ".0f") for mm2 in told.change.areas_mm2)
+    text = fill(tr("Contact {old} → {new} cm²"), old=old, new=new)
+    return f"{name}: {text}" if name else text
 
 
 def _fit_text(fitted: Fitted | None) -> str:
@@ -175,25 +211,44 @@ def _dose_text(dose: Dose, pad: str, percent: float) -> str:
     )
 
 
-def _row(name: str, text: str, told: Told | None, problem: str) -> TableRow:
-    """Return what is told of a region; no figure is shown without its limits."""
-    if told is None and problem:
-        return TableRow(name, (text, tr("cannot tell"), "–"), tip=problem)
-    if told is None:
-        return TableRow(name, (text, "…", "…"))
+def _row(name: str, text: str, told: Sequence[PressureChange | None], problem: str) -> TableRow:
+    """Return what is told of a region, of one insole or two."""
+    cells, tips = zip(*(_cells(name, one, problem) for one in told), strict=True)
+    filled = [cell for pair in cells for cell in pair] + ["", ""] * (2 - len(cells))
+    return TableRow(name, (text, *filled), tip="\n".join(filter(None, tips)))
+
+
+def _cells(name: str, limits: PressureChange | None, problem: str) -> tuple[tuple[str, str], str]:
+    """Return a change and its limits, and why there are none; no figure without its limits."""
+    if limits is None:
+        return ((tr("cannot tell"), "–"), problem) if problem else (("…", "…"), "")
+    told = limits.regions[name]
     if told.reason or told.percent is None or told.limits is None:
-        reason = translate_core_message(told.reason)
-        return TableRow(name, (text, tr("cannot tell"), "–"), tip=reason)
+        return (tr("cannot tell"), "–"), translate_core_message(told.reason)
     low, high = told.limits
-    return TableRow(name, (text, _signed(told.percent), f"{_signed(low)} … {_signed(high)}"))
+    return (_signed(told.percent), f"{_signed(low)} … {_signed(high)}"), ""
 
 
-def _reasons(told: Mapping[str, Told]) -> list[str]:
+def _all_reasons(told: Sequence[PressureChange | None], names: Sequence[str]) -> list[str]:
+    """Return why nothing is told of some regions; of one of two insoles under its name."""
+    lines = [_reasons(one) for one in told]
+    of_all = [line for line in lines[0] if all(line in some for some in lines)]
+    own = [
+        f"{name} – {line}"
+        for name, some in zip(names, lines, strict=True)
+        for line in some
+        if line not in of_all
+    ]
+    return [*of_all, *own]
+
+
+def _reasons(told: PressureChange | None) -> list[str]:
     """Return why nothing is told of some regions, a line for each reason."""
     regions: dict[str, list[str]] = {}
     for name, text in _regions().items():
-        if name in told and told[name].reason:
-            regions.setdefault(translate_core_message(told[name].reason), []).append(text)
+        if told is not None and told.regions[name].reason:
+            reason = translate_core_message(told.regions[name].reason)
+            regions.setdefault(reason, []).append(text)
     return [f"{', '.join(names)}: {reason}" for reason, names in regions.items()]
 
 

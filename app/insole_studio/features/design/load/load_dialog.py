@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -53,14 +53,16 @@ class LoadDialog(QDialog):
         self.weight.allow_unknown(WEIGHT_KG.least)
         self.posture = ComboBox([(posture.value, text) for posture, text in _postures()])
         self.against = ComboBox([(_FLAT, tr("a flat shoe"))])
+        self.both = QCheckBox(tr("Show both side by side, each against a flat shoe"))
+        self.both.setToolTip(tr("Else the colours show the change from that variant to this one"))
+        self.both.setEnabled(False)
         self.fit = QCheckBox(tr("Fit the tissue to the map under the foot"))
         self.fit.setToolTip(tr("A map of the bare foot on a plate, in this posture"))
         self.fit.setEnabled(False)
         self.fitted = MessageLabel("quiet")
         self.papers = QCheckBox(tr("Put it on the papers of the order and the prescription"))
-        self.table = RowTable(
-            [tr("Region"), tr("Peak pressure"), tr("Between (95 %)")], sorts=False
-        )
+        self.table = RowTable(["", "", "", "", ""], sorts=False)
+        self._show_headings(())
         self.table.setMinimumHeight(_TABLE_PX)
         self.area = QLabel()
         self.region = ComboBox([(_FLAT, tr("no target"))])
@@ -86,7 +88,17 @@ class LoadDialog(QDialog):
         self.go_on.clicked.connect(self._begin)
         for field in (self.weight, self.posture, self.against, self.region, self.percent):
             field.edited.connect(self._ask)
-        self.fit.toggled.connect(self._ask)
+        self.against.edited.connect(self._offer_both)
+        for box in (self.fit, self.both):
+            box.toggled.connect(self._ask)
+
+    def show_beside_views(self) -> None:
+        """Open at the left edge of the window, over what is no picture as far as there is room."""
+        self.show()
+        window = self.parentWidget()
+        if window is not None:
+            beside = window.mapToGlobal(QPoint(0, (window.height() - self.height()) // 2))
+            self.move(beside)
 
     @property
     def is_read(self) -> bool:
@@ -99,8 +111,9 @@ class LoadDialog(QDialog):
         if not self.is_read or self.weight.value() not in WEIGHT_KG:
             return None
         posture = Posture(self.posture.currentData())
+        variant, is_both = self.against.currentData(), self.both.isChecked()
         is_fitted = self.fit.isChecked()
-        return LoadQuestion(self.weight.value(), posture, self.against.currentData(), is_fitted)
+        return LoadQuestion(self.weight.value(), posture, variant, is_fitted, is_both)
 
     def offer_fit(self, has_map: bool) -> None:
         """Offer to fit the tissue where a map lies under the foot."""
@@ -108,25 +121,51 @@ class LoadDialog(QDialog):
             self.fit.setChecked(False)
         self.fit.setEnabled(has_map)
 
-    def show_variants(self, names: Sequence[str]) -> None:
-        """Offer these variants to compare with, and the flat shoe."""
+    def show_variants(self, names: Sequence[str], instead: str = "") -> None:
+        """Offer these variants to compare with, and the flat shoe.
+
+        Parameters
+        ----------
+        instead
+            Compared with where the one before is not among them; empty for the flat shoe.
+        """
         before = self.against.currentData()
         self.against.clear()
         self.against.addItem(tr("a flat shoe"), _FLAT)
         for name in names:
             self.against.addItem(name, name)
-        self.against.show_value(before if before in names else _FLAT)
+        self.against.show_value(before if before in names else instead)
+        self._offer_both(self.against.currentData())
+
+    def _offer_both(self, variant: object) -> None:
+        if variant == _FLAT:
+            self.both.setChecked(False)
+        self.both.setEnabled(variant != _FLAT)
 
     def offer_regions(self, names: dict[str, str]) -> None:
         """Offer regions, by their names, in which a target can be."""
         for name, text in names.items():
             self.region.addItem(text, name)
 
-    def show_rows(self, rows: Sequence[TableRow], area: str) -> None:
-        """Show what is told of the regions, and the area of contact."""
+    def show_rows(self, rows: Sequence[TableRow], area: str, pair: Sequence[str] = ()) -> None:
+        """Show what is told of the regions, and the area of contact.
+
+        Parameters
+        ----------
+        rows
+            Of the insole, and of the one beside it.
+        pair
+            Names of both; none where there is one.
+        """
+        self._show_headings(pair)
         self.table.show_rows(rows)
         self.area.setText(area)
         self._make_room()
+
+    def _show_headings(self, pair: Sequence[str]) -> None:
+        peak, between = tr("Peak pressure"), tr("Between (95 %)")
+        own, beside = pair or (peak, "")
+        self.table.show_headings([tr("Region"), own, between, beside, between if beside else ""])
 
     def _make_room(self) -> None:
         """Grow with what is told; else it would be squeezed."""
@@ -186,6 +225,7 @@ class LoadDialog(QDialog):
         target.addWidget(self.region, 1)
         target.addWidget(self.percent)
         form.addRow(tr("Target in"), target)
+        form.addRow(self.both)
         form.addRow(self.fit)
         mark_labels(form)
         sentence = QLabel(translate_core_message(SENTENCE))

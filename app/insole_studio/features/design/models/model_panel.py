@@ -55,6 +55,8 @@ class ModelPanel(Protocol):
     def show_sketch(self, line: FloatArray) -> None: ...  # noqa: D102
     def show_directions(self, side: Side, bounds_mm: FloatArray) -> None: ...  # noqa: D102
     def show_warning(self, text: str) -> None: ...  # noqa: D102
-    def show_companion(self, mesh: TriangleMesh | None) -> None: ...  # noqa: D102
+    def show_companion(  # noqa: D102
+        self, mesh: TriangleMesh | None, coloring: Coloring | None = None
+    ) -> None: ...
     def show_names(self, names: Sequence[NameLabel]) -> None: ...  # noqa: D102
     def show_numbers(self, text: str) -> None: ...  # noqa: D102

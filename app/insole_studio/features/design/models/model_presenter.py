@@ -62,6 +62,8 @@ from insole_studio.texts import localised, tr, translate_core_message
 OUTLINE_STRIDE = 3
 SECTION_POINTS = 192
 _NOTHING = (object(),) * 8
+_ON_TOP_MM = 0.5
+"""Of the contact surface: further off are the walls and the bottom of an insole."""
 _NO_VERTEX = np.zeros(0, dtype=np.int64)
 
 
@@ -94,6 +96,8 @@ class ModelPresenter:
         self._load = shown.load
         self._painted: PlantarLayers | None = None
         """What lay under the foot when it was last painted over the surface."""
+        self._load_beside: tuple[object, ...] = ()
+        """What the mesh beside was last coloured by, if by how load moves."""
         self._marked: tuple[object, ...] = _NOTHING
         """State for which the marks were last drawn; several signals may report one change."""
         self._follow(shown)
@@ -113,6 +117,7 @@ class ModelPresenter:
             signal.connect(self._follow_plantar)
         shown.plantar.changed.connect(self.paint)
         shown.load.changed.connect(self.paint_load)
+        shown.load.told.connect(self._paint_load_beside)
 
     def _follow_plantar(self) -> None:
         """Paint again if what lies under the foot has moved."""
@@ -125,6 +130,41 @@ class ModelPresenter:
 
     def paint_load(self) -> None:
         """Colour the surface by how load moves, while that is asked for."""
+        raise NotImplementedError
+
+    @property
+    def _shows_load(self) -> bool:
+        """Whether the surface is coloured by how load moves."""
+        raise NotImplementedError
+
+    def _paint_load_beside(self) -> None:
+        """Colour the mesh beside by its own change; it stays while the other one is drawn."""
+        change = self._change_beside()
+        told = () if change is None else self._load.untold_of(change)
+        if (self._is_paired, change, told) != self._load_beside:
+            self.show_counterpart()
+
+    @property
+    def _is_paired(self) -> bool:
+        """Whether each of two variants is coloured by its own change."""
+        is_variant = self._counterpart.kind is Beside.VARIANT
+        return self._shows_load and self._load.is_both and is_variant
+
+    def _change_beside(self) -> Change | None:
+        built = self._counterpart.built
+        return self._load.beside(built.design) if self._is_paired and built is not None else None
+
+    def _coloring_beside(self) -> Coloring | None:
+        """Return the colours of the mesh beside; None for its own."""
+        change, mesh = self._change_beside(), self._beside()
+        untold = () if change is None else self._load.untold_of(change)
+        self._load_beside = self._is_paired, change, untold
+        if change is None or mesh is None:
+            return None
+        return load_coloring(change, untold, mesh.vertices, self._is_loaded_beside(mesh))
+
+    def _is_loaded_beside(self, mesh: TriangleMesh) -> BoolArray:
+        """(n,) which vertices of the mesh beside lie against sole or insole."""
         raise NotImplementedError
 
     @property
@@ -171,7 +211,7 @@ class ModelPresenter:
     def show_counterpart(self) -> None:
         """Show the mesh beside the subject, and the names of both."""
         foot, companion = self._case.record.current, self.companion
-        self.panel.show_companion(companion)
+        self.panel.show_companion(companion, self._coloring_beside())
         if foot is None or self.mesh is None or companion is None:
             self.panel.show_names(())
         else:
@@ -499,6 +539,7 @@ class FootPresenter(ModelPresenter):
             self._is_loaded = shown
             if self._case.foot is not None:
                 self._show_foot(self._case.foot)
+            self._paint_load_beside()
 
     def paint_load(self) -> None:
         """Colour the sole by how load moves."""
@@ -514,7 +555,15 @@ class FootPresenter(ModelPresenter):
         change = self._load.change
         if change is None:
             return None
-        return load_coloring(change, self._load.untold, mesh.vertices, is_sole(mesh))
+        untold = self._load.untold_of(change)
+        return load_coloring(change, untold, mesh.vertices, is_sole(mesh))
+
+    @property
+    def _shows_load(self) -> bool:
+        return self._is_loaded
+
+    def _is_loaded_beside(self, mesh: TriangleMesh) -> BoolArray:
+        return is_sole(mesh)
 
     def show_counterpart(self) -> None:
         """Show the other foot, and the difference to it."""
@@ -550,7 +599,9 @@ class FootPresenter(ModelPresenter):
             self._show_foot(self._case.foot)
 
     def _beside(self) -> TriangleMesh | None:
-        built = self._counterpart.built
+        built, foot = self._counterpart.built, self._case.foot
+        if built is not None and foot is not None and self._is_paired:
+            return self._shown_mesh(foot)
         if built is None or self._counterpart.kind is not Beside.FOOT:
             return None
         return built.foot_display.mesh
@@ -616,6 +667,7 @@ class InsolePresenter(ModelPresenter):
         """Colour the insole by a map."""
         self._map = kind
         self._show_mesh_anew()
+        self._paint_load_beside()
 
     def show_counterpart(self) -> None:
         """Show the other insole, and the difference to it."""
@@ -649,12 +701,22 @@ class InsolePresenter(ModelPresenter):
         change, mesh = self._load.change, self._surface.mesh
         if change is None or mesh is None or self._surface.bottom_heights_mm is None:
             return None
-        untold = self._load.untold
+        untold = self._load.untold_of(change)
         of = (change, untold, mesh.triangles.shape)
         if self._loaded is None or self._loaded[0] != of:
             is_top = self._is_top(len(self._surface.bottom_heights_mm))
             self._loaded = of, load_coloring(change, untold, mesh.vertices, is_top)
         return self._loaded[1]
+
+    @property
+    def _shows_load(self) -> bool:
+        return self._map is MapKind.LOAD
+
+    def _is_loaded_beside(self, mesh: TriangleMesh) -> BoolArray:
+        built = self._counterpart.built
+        assert built is not None
+        off_mm = mesh.vertices[:, 2] - built.contact.height_at(mesh.vertices[:, :2])
+        return np.asarray(np.abs(off_mm) < _ON_TOP_MM)
 
     def _is_top(self, size: int) -> BoolArray:
         """(n,) which vertices of the mesh belong to the upper side."""
