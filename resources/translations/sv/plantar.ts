@@ -72,6 +72,10 @@
             <translation>Dra bilden för att flytta den, handtaget framför för att vrida den; piltangenterna flyttar också</translation>
         </message>
         <message>
+            <source>Else the colours show the change from that variant to this one</source>
+            <translation>Annars visar färgerna ändringen från den varianten till den här</translation>
+        </message>
+        <message>
             <source>Every head above it is relieved.</source>
             <translation>Varje huvud över gränsen är avlastat.</translation>
         </message>
@@ -254,6 +258,10 @@
         <message>
             <source>Sensors apart, along</source>
             <translation>Sensorernas avstånd, längs</translation>
+        </message>
+        <message>
+            <source>Show both side by side, each against a flat shoe</source>
+            <translation>Visa båda sida vid sida, var och en mot en plan sko</translation>
         </message>
         <message>
             <source>Show the change</source>

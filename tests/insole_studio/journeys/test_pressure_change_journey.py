@@ -11,6 +11,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from insole_core.cases.case_record import FootRecord
 from insole_core.contact.change import SENTENCE, Change
 from insole_core.imprints.form import Form
 from insole_core.insole.elements import Pelott
@@ -19,6 +20,7 @@ from insole_core.pressure.laid_map import Placement, PressureMap
 from insole_core.workflows.plantar_pressure import with_pressure
 from insole_core.workflows.starting_design import mirrored_foot
 from insole_studio.app.bootstrap import Application
+from insole_studio.document.side_by_side import Beside
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.load.load_dialog import LoadDialog
 from insole_studio.features.design.models.color_maps import MapKind
@@ -39,6 +41,15 @@ def measured(change: Change) -> PressureMap:
     middle = [float(along[0] + along[-1]) / 2 for along in (field.x_mm, field.y_mm)]
     kpa = 1000 * change.old.mpa[::-1]
     return PressureMap(kpa, (field.step_mm, field.step_mm), Placement(*middle))
+
+
+def _higher(foot: FootRecord | None) -> FootRecord:
+    """The foot with higher pads."""
+    assert foot is not None
+    design = foot.design
+    for pad in design.of(Pelott):
+        design = design.with_changed(replace(pad, height_mm=pad.height_mm + 3))
+    return foot.with_design(design)
 
 
 def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
@@ -138,6 +149,51 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     dialog.region.activated.emit(0)
     assert dialog.chart.isHidden()
     assert dialog.dose.isHidden()
+
+    # Two variants: their difference, or both maps side by side with one legend.
+    first = app.case.record.current
+    assert first is not None
+    act(app, "variant_duplicate")
+    app.case.apply(app.case.record.with_foot(_higher(app.case.record.current)), "Change")
+    assert not dialog.both.isEnabled()  # beside a flat shoe there is nothing to show
+    dialog.against.setCurrentIndex(dialog.against.findData(first.chosen))
+    dialog.against.activated.emit(dialog.against.currentIndex())
+    settle()
+    difference = load.change
+    assert difference is not None
+    assert stage.counterpart.kind is Beside.NOTHING
+    QTest.mouseClick(dialog.both, LEFT, pos=QPoint(8, dialog.both.height() // 2))
+    settle()
+    beside = load.beside(first.design)
+    assert beside is not None
+    assert load.change is not None
+    assert load.change.old is beside.old  # a flat shoe
+    np.testing.assert_allclose(beside.new_kpa, difference.old_kpa, atol=1.0)
+    np.testing.assert_allclose(load.change.new_kpa, difference.new_kpa, atol=1.0)
+    assert not np.allclose(beside.new_kpa, load.change.new_kpa, atol=1.0)
+    across = Qt.Orientation.Horizontal
+    headings = [dialog.table.model().headerData(column, across) for column in range(5)]
+    second = app.case.record.current
+    assert second is not None
+    assert headings[1::2] == [second.chosen, first.chosen]
+    assert all(len(row.cells) == 5 and row.cells[4] for row in dialog.table.rows)
+    for view in (stage.insole, stage.foot):
+        actor = view.scene.painter._plotter.actors["companion"]
+        assert actor.mapper.scalar_range == (-100, 100)
+        percent = actor.mapper.dataset.point_data["values"]
+        assert np.nanmin(percent) < -5
+    app.case.preview(_higher(second).design)
+    assert load.beside(first.design) is beside  # stays while the other one is drawn
+    app.case.end_preview()
+    QTest.mouseClick(dialog.both, LEFT, pos=QPoint(8, dialog.both.height() // 2))
+    settle()
+    assert load.beside(first.design) is None
+    assert stage.counterpart.kind is Beside.NOTHING
+    assert "companion" not in stage.foot.scene.painter._plotter.actors
+    app.case.undo()
+    app.case.undo()
+    settle()
+    assert dialog.against.currentData() == ""
 
     # What cannot be made is told, and has no figures.
     outside = replace(app.case.record.design, outline=BESIDE_FOOT)
