@@ -1,7 +1,8 @@
 """Feet before three simulated D415, 450 to 600 mm away, beside Open3D on the same frames.
 
 ``python -m benchmarks stereo_feet`` simulates 20 feet, each at one of four distances. The product
-finds the poses; Open3D is given the true ones. Sessions are kept in ``benchmarks/results/stereo``
+finds the poses, and takes the depth of the camera or matches its infrared pair anew; Open3D is
+given the depth and the true poses. Sessions are kept in ``benchmarks/results/stereo``
 and are not made twice. ``FEET`` is the number of feet (20).
 
 Sole and tendon: mean and 95 % of the distance after a rigid best fit (shape), mean in place, share
@@ -56,9 +57,12 @@ def _compared(number: int, distance_mm: float) -> dict[str, dict[str, float]]:
     folder = kept_foot(number, distance_mm)
     session = read_session(folder)
     truth = trimesh.load(folder / "truth.ply", process=False, force="mesh")
-    surfaces: dict[str, TriangleMesh] = {"fused": reconstruct(session).mesh}
+    surfaces: dict[str, TriangleMesh] = {
+        "fused, pair matched anew": reconstruct(session).mesh,
+        "fused, chip's depth": reconstruct(session, depth="chip").mesh,
+    }
     placed = with_true_poses(readings_of(session), folder)
-    surfaces["fused, true poses"] = fuse([prepare(one) for one in placed]).mesh
+    surfaces["fused, chip's depth, true poses"] = fuse([prepare(one) for one in placed]).mesh
     for name, peer in open3d_peers().items():
         surfaces[name] = peer(placed)
     return {name: figures(mesh, truth) for name, mesh in surfaces.items()}

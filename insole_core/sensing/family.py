@@ -45,10 +45,11 @@ KINECT_V1 = SensorFamily("Kinect v1", 0.21, 0.6, 20, learnt=True, reach_mm=(550.
 compares 9 x 9 pixels. Closer than its reach it measures little, farther away its depth steps exceed
 3 mm."""
 ACTIVE_STEREO = SensorFamily(
-    "active stereo", 0.4, 1.0, 20, reach_mm=(400.0, 700.0), wall_mm=(400.0, 700.0)
+    "active stereo", 0.65, 1.0, 20, reach_mm=(400.0, 700.0), wall_mm=(400.0, 700.0)
 )
-"""On a slanted surface the brighter half of a window, which faces the camera, outweighs the other
-one: by more than a pixel. Closer than its reach the search for matches ends, farther away a foot
-keeps errors of more than 0.3 mm."""
+"""Where a foot faces the camera, two simulations leave 0.07 to 0.09 px however many frames there
+are, as speckle and pixel locking stay. On a slanted surface the brighter half of a window, which
+faces the camera, outweighs the other one: by more than a pixel. Closer than its reach the search
+for matches ends, farther away a foot keeps errors of more than 0.3 mm."""
 DIRECT_DEPTH = SensorFamily("depth in mm", 0.5, 0.5, 10, reach_mm=(250.0, 1000.0))
 """Nothing is known but that it delivers millimetres, which are its raw units."""

@@ -174,19 +174,21 @@ def on_depth_pixels(picture: FloatArray, shift_px: tuple[float, float]) -> Float
     )
 
 
-def check_picture(mean: FloatArray) -> None:
+def check_picture(mean: FloatArray, saturated_share: float = _SATURATED_SHARE) -> None:
     """Check that the mean of a view's infrared pictures shows dots.
 
     Parameters
     ----------
     mean : (height, width) float64
+    saturated_share
+        That may be as bright as pixels can be.
 
     Raises
     ------
     InputError
         When it is saturated or black; as the end of a sentence on the view.
     """
-    if (mean >= GREATEST).mean() > _SATURATED_SHARE:
+    if (mean >= GREATEST).mean() > saturated_share:
         raise InputError(
             "its infrared pictures are saturated; lower their brightness, or keep sunlight off the "
             "foot."

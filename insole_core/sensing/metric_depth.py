@@ -174,6 +174,21 @@ def binned_camera(camera: PinholeCamera, size: int) -> PinholeCamera:
     )
 
 
+def finer_camera(camera: PinholeCamera, size: int) -> PinholeCamera:
+    """Return the camera of the pixels; inverse of `binned_camera`, but for cut edges."""
+    middle = (size - 1) / 2
+    return replace(
+        camera,
+        width=camera.width * size,
+        height=camera.height * size,
+        fx=camera.fx * size,
+        fy=camera.fy * size,
+        cx=camera.cx * size + middle,
+        cy=camera.cy * size + middle,
+        skew=camera.skew * size,
+    )
+
+
 def spread_map(
     values: Float32Array | ByteArray, size: int, height: int, width: int
 ) -> Float32Array | ByteArray:

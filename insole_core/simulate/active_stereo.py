@@ -200,7 +200,7 @@ class StereoRecording:
     def frame(self, rng: np.random.Generator) -> RawArray:
         """Draw one depth frame: (720, 1280) uint16, 0.1 mm, 0 = no reading."""
         disparity, known = self._match(_noisy(self.left, rng), _noisy(self.right, rng))
-        steps = np.rint((disparity + self.device.error_px[self.region]) / _STEP_PX)
+        steps = np.rint(disparity / _STEP_PX)
         camera = self.device.sensor.depth_camera
         depth_mm = camera.fx * BASELINE_MM / (np.maximum(steps, 1) * _STEP_PX)
         stored = np.zeros((camera.height, camera.width), np.uint16)
@@ -283,11 +283,29 @@ def record_stereo(
     rows, columns = slice(int(low[1]), int(high[1])), slice(int(low[0]), int(high[0]))
     wider = slice(columns.start - search[1], columns.stop - search[0])
     aside = own.sensor2reference @ rigid(np.eye(3), np.array([BASELINE_MM, 0.0, 0.0]))
+    bent = _bent(_pixels((rows, wider)), own.device, sum(search) / 2)
     left, right = (
-        _speckled(_seen(caster, camera, pose, projectors, (rows, part)), rng)
-        for pose, part in ((own.sensor2reference, columns), (aside, wider))
+        _speckled(_seen(caster, camera, pose, projectors, pixels), rng)
+        for pose, pixels in ((own.sensor2reference, _pixels((rows, columns))), (aside, bent))
     )
     return StereoRecording(own.device, left, right, (rows, columns), search)
+
+
+def _pixels(region: Region) -> FloatArray:
+    """Return the places (height, width, 2) of the pixels of a region."""
+    v, u = np.mgrid[region].astype(float)
+    return np.stack([u, v], axis=-1)
+
+
+def _bent(pixels: FloatArray, device: StereoDevice, disparity_px: float) -> FloatArray:
+    """Return the places that pixels of the right image show.
+
+    What the factory's calibration leaves is in this image, and so in every match with it.
+    """
+    along = np.array([1.0, 0.0])
+    u, v = np.rint(pixels + disparity_px * along).astype(int).transpose(2, 0, 1)
+    error = device.error_px[v, np.clip(u, 0, SIZE[0] - 1)]
+    return np.asarray(pixels + error[..., None] * along)
 
 
 def _seen(
@@ -295,17 +313,16 @@ def _seen(
     camera: PinholeCamera,
     camera2reference: FloatArray,
     projectors: Sequence[Projector],
-    region: Region,
+    pixels: FloatArray,
 ) -> Float32Array:
-    """Render a region (height, width) of an infrared image."""
-    rows, columns = region
-    image = np.zeros((rows.stop - rows.start, columns.stop - columns.start), np.float32)
+    """Render what an infrared image (height, width) shows at places (height, width, 2)."""
+    image = np.zeros(pixels.shape[:2], np.float32)
     inside = (np.arange(_SUBSAMPLES) + 0.5) / _SUBSAMPLES - 0.5
-    v, u = (axis.ravel() for axis in np.mgrid[rows, columns].astype(float))
+    flat = pixels.reshape(-1, 2)
     for du in inside:
         for dv in inside:
-            normalised = camera.normalised(np.column_stack([u + du, v + dv]))
-            rays = np.c_[normalised, np.ones(len(u))] @ camera2reference[:3, :3].T
+            normalised = camera.normalised(flat + np.array([du, dv]))
+            rays = np.c_[normalised, np.ones(len(flat))] @ camera2reference[:3, :3].T
             hits = caster.cast(camera2reference[:3, 3], rays)
             light = sum(projector.light_on(hits, caster) for projector in projectors)
             albedo = hits.colors.mean(axis=1) / 255

@@ -14,6 +14,7 @@ from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.transforms import inverse, transform
 from insole_core.reconstruct.volume import check_any_inside, is_inside
 from insole_core.recording.box import Box
+from insole_core.sensing.metric_depth import finer_camera
 from insole_core.sensing.sensor import Sensor
 
 _MARGIN_PX = 6
@@ -148,6 +149,15 @@ class DepthView:
     def without(self, wrong: BoolArray) -> DepthView:
         """Return the view without the readings chosen by the mask `wrong` (height, width)."""
         return self.with_raw(np.where(wrong, np.nan, self.raw))
+
+    def finer(self, size: int) -> DepthView:
+        """Return the view with `size` × `size` pixels of the same disparity for each reading."""
+        if size == 1:
+            return self
+        sensor = replace(self.sensor, depth_camera=finer_camera(self.sensor.depth_camera, size))
+        u, v = self.corner
+        raw = self.raw.repeat(size, axis=0).repeat(size, axis=1)
+        return replace(self, sensor=sensor, corner=(size * u, size * v), raw=raw)
 
     def with_raw(self, raw: FloatArray) -> DepthView:
         """Return the view with other raw values (height, width)."""

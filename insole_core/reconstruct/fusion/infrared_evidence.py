@@ -48,13 +48,17 @@ class InfraredView:
 
     Parameters
     ----------
-    picture : (480, 640) float32
+    picture : (height, width) float32
         Mean of the frames.
     reference
+        What the picture shows at every disparity.
+    finer
+        Number of its pixels across a reading.
     """
 
     picture: Float32Array
     reference: InfraredReference
+    finer: int = 1
 
     @cached_property
     def sharpened(self) -> Float32Array:
@@ -119,6 +123,7 @@ def infrared_evidence(
     -------
     Evidence
     """
+    reading = reading.finer(infrared.finer)
     hits = hits_of(reading, mesh, normals, caster)
     raw, cosine = (np.full(reading.raw.shape, np.nan) for _ in range(2))
     raw.flat[hits.ray] = reading.sensor.disparity.raw(hits.depth_mm)

@@ -10,6 +10,7 @@ from insole_core.errors import InputError
 from insole_core.messages import Message
 from insole_core.reconstruct.fusion.infrared_evidence import InfraredView
 from insole_core.reconstruct.fusion.infrared_surface import InfraredUse
+from insole_core.reconstruct.views.infrared_pair import pair_of, pair_view
 from insole_core.recording.session import View
 from insole_core.sensing.infrared_reference import RAW_PER_PX, check_picture, on_depth_pixels
 
@@ -17,7 +18,7 @@ _TOLD_SHARE = 0.9
 
 
 def infrared_view(view: View) -> InfraredView | None:
-    """Average the infrared pictures of a view, on the pixels of its depth image.
+    """Average the infrared pictures of a view: of its dots, or the pair of a stereo camera.
 
     Returns
     -------
@@ -29,6 +30,8 @@ def infrared_view(view: View) -> InfraredView | None:
     InputError
         When pictures or pattern cannot be used; as the end of a sentence on the view.
     """
+    if (pair := pair_of(view)) is not None:
+        return pair_view(view, pair)
     dots = view.dots
     if dots is None:
         return None
