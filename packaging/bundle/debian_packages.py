@@ -26,6 +26,7 @@ PACKAGES = {
     "libuuid.so.1": "libuuid1",
     "libzstd.so.1": "libzstd1",
     "libudev.so.1": "libudev1",
+    "libusb-1.0.so.0": "libusb-1.0-0",
     "libglib-2.0.so.0": "libglib2.0-0t64 | libglib2.0-0",
     "libgthread-2.0.so.0": "libglib2.0-0t64 | libglib2.0-0",
     "libgio-2.0.so.0": "libglib2.0-0t64 | libglib2.0-0",

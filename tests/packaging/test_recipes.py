@@ -4,6 +4,7 @@ import configparser
 import plistlib
 import re
 import shlex
+import sys
 import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
@@ -11,7 +12,8 @@ from xml.etree import ElementTree
 import pytest
 
 from build import FORMATS
-from bundle import deb, product
+from bundle import deb, elf, product
+from bundle.debian_packages import packages_for
 from bundle.trim import is_needed
 from insole_studio.cli import window
 from insole_studio.cli.main import command_parser
@@ -44,6 +46,16 @@ def menu_entry():
 @pytest.fixture(scope="module")
 def application():
     return plistlib.loads((MACOS / "info.plist").read_bytes())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux packages name what they depend on")
+def test_the_library_of_the_realsense_asks_for_what_debian_has():
+    found = pytest.importorskip("pyrealsense2", reason="pyrealsense2 is missing").__file__
+    folder = Path(found).parent
+    files = [elf.read_elf(path) for path in elf.elf_files(folder) if "debug" not in path.name]
+    packages, unknown = packages_for(elf.of_the_system(files, folder))
+    assert (unknown, elf.too_new(files)) == ([], [])
+    assert "libusb-1.0-0" in packages
 
 
 def test_all_give_the_same_program(installer, menu_entry, application, workflow):
