@@ -2,13 +2,13 @@
 
 The object was captured like a foot and reconstructed like one: poses, correction of the depth,
 fusion. The true form is laid onto the surface, in its best place but of its true size, and what is
-left is the error of the chain.
+left is the error of the chain. A body that carries its own markers stays in its place among them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from typing import Literal
 
 import numpy as np
@@ -17,7 +17,7 @@ import scipy
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.find_form import on_form
 from insole_core.evaluation.known_form import KnownForm, fitted
-from insole_core.evaluation.known_object import KnownObject
+from insole_core.evaluation.known_object import KnownObject, KnownPlaced, moved_by
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
@@ -152,6 +152,23 @@ class SensorErrors:
     off_mm: float = float("nan")
 
 
+@dataclass(frozen=True)
+class BestPlace:
+    """Where a body whose place is known would lie best on what was measured of it.
+
+    Parameters
+    ----------
+    mean_abs_mm
+        The error that is left there.
+    away_mm, turn_deg
+        From the place that is known.
+    """
+
+    mean_abs_mm: float
+    away_mm: float
+    turn_deg: float
+
+
 @dataclass(frozen=True, eq=False)
 class ChainErrors:
     """The result with one correction, over all captures.
@@ -165,6 +182,8 @@ class ChainErrors:
         Share of what the sensors could see that the surface lacks.
     sensors
         Of every capture.
+    best_place
+        Of an object whose place is known; means over the captures.
     """
 
     surface: SurfaceErrors
@@ -172,6 +191,7 @@ class ChainErrors:
     true_size_mm: float
     missing_share: float
     sensors: tuple[SensorErrors, ...]
+    best_place: BestPlace | None = None
 
     @property
     def size_error_mm(self) -> float:
@@ -246,8 +266,9 @@ class _Placed:
         surface = capture.reconstructed["none"].mesh
         found = known.find(surface)
         own = on_form(found, surface.vertices, surface.vertex_normals)
-        true = found.of_size(known.true_size_mm(found.size_mm))
-        form = fitted(true, surface.vertices[own], surface.vertex_areas[own])
+        form = found.of_size(known.true_size_mm(found.size_mm))
+        if not isinstance(known, KnownPlaced):
+            form = fitted(form, surface.vertices[own], surface.vertex_areas[own])
         others = _large_pieces(surface.part(~own))
         tree = scipy.spatial.cKDTree(others) if len(others) else None
         return cls(known, capture, form, tree)
@@ -267,15 +288,27 @@ class _Placed:
         points, areas = mesh.vertices[chosen], mesh.vertex_areas[chosen]
         size_mm = fitted(self.form, points, areas, size=True).size_mm
         true_mm = self.known.true_size_mm(size_mm)
-        form = fitted(self.form.of_size(true_mm), points, areas)
+        best = fitted(self.form.of_size(true_mm), points, areas)
+        form = self.form if isinstance(self.known, KnownPlaced) else best
         surface = self._surface(form, result.depth_views, points, areas, views)
         sensors = tuple(self._sensor(view, form, correction) for view in result.depth_views)
         missing = self._missing_share(form, points)
-        return ChainErrors(surface, size_mm, true_mm, missing, sensors)
+        laid = None
+        if form is not best:
+            left = self._surface(best, result.depth_views, points, areas, views).all
+            laid = BestPlace(left.mean_abs_mm, *moved_by(form, best))
+        return ChainErrors(surface, size_mm, true_mm, missing, sensors, laid)
 
     def _belongs(self, mesh: TriangleMesh) -> BoolArray:
         errors, _ = self.form.errors(mesh.vertices)
-        return np.asarray((np.abs(errors) < _BAND_MM) & self._is_free(mesh.vertices))
+        near = np.abs(errors) < _BAND_MM
+        return np.asarray(near & self._is_free(mesh.vertices) & self._is_judged(mesh.vertices))
+
+    def _is_judged(self, points: FloatArray) -> BoolArray:
+        """Return whether points (n, 3) lie where errors of the object count."""
+        if isinstance(self.known, KnownPlaced):
+            return self.known.scan.is_judged(points)
+        return np.ones(len(points), dtype=bool)
 
     def _is_free(self, points: FloatArray) -> BoolArray:
         """Return which points (n, 3) lie away from what holds the object."""
@@ -337,7 +370,7 @@ class _Placed:
         _, outward = form.errors(samples)
         low, high = np.array(self.capture.volume.min_mm), np.array(self.capture.volume.max_mm)
         inner = Box(tuple(low + _EDGE_MM), tuple(high - _EDGE_MM))
-        free = is_inside(samples, inner) & self._is_free(samples)
+        free = is_inside(samples, inner) & self._is_free(samples) & self._is_judged(samples)
         seeable = np.zeros(len(samples), dtype=bool)
         for view in self.capture.reconstructed["none"].depth_views:
             slant = _slant_deg(view, samples, outward)
@@ -398,4 +431,12 @@ def _joined(results: Sequence[ChainErrors]) -> ChainErrors:
         float(np.mean([result.true_size_mm for result in results])),
         float(np.mean([result.missing_share for result in results])),
         tuple(sensor for result in results for sensor in result.sensors),
+        _mean_place([result.best_place for result in results if result.best_place is not None]),
     )
+
+
+def _mean_place(places: Sequence[BestPlace]) -> BestPlace | None:
+    if not places:
+        return None
+    mean = np.mean([astuple(place) for place in places], axis=0)
+    return BestPlace(*map(float, mean))

@@ -20,6 +20,7 @@ from insole_core.evaluation.chain import (
     Errors,
     SurfaceErrors,
 )
+from insole_core.evaluation.known_object import KnownPlaced
 from insole_core.evaluation.report import Number, Plot, ReportSection, Share, Table
 from insole_core.geometry.arrays import BoolArray, FloatArray
 
@@ -94,7 +95,12 @@ def _p95(result: ChainErrors) -> float:
 
 
 def chain_section(evaluation: ChainEvaluation, verdict: Verdict) -> ReportSection:
-    """Report a proof of the chain; numbers without a suffix are those of what the verdict says."""
+    """Report a proof of the chain; numbers without a suffix are those of what the verdict says.
+
+    Of a body in its known place the report is one page, to be kept.
+    """
+    if isinstance(evaluation.known, KnownPlaced):
+        return _page(evaluation, verdict)
     tables = (
         Table("Verdict", ("use", "why"), ((verdict.use, verdict.reason),)),
         Table("Error by slant", ("degrees", *_HEADINGS), _rows(evaluation, _slants), "mm"),
@@ -125,14 +131,52 @@ def chain_section(evaluation: ChainEvaluation, verdict: Verdict) -> ReportSectio
     )
 
 
+def _page(evaluation: ChainEvaluation, verdict: Verdict) -> ReportSection:
+    result = evaluation.results[verdict.use]
+    chosen = (("part", _parts), ("view", _views))
+    tables = tuple(
+        Table(
+            f"Error by {name}",
+            (name, "share", "mean", "rms", "95 %", "outwards"),
+            tuple((label, *_short(result.surface.over(one)))
+                  for label, one in classes(result.surface, evaluation)),
+            "mm",
+        )
+        for name, classes in chosen
+    )  # fmt: skip
+    return ReportSection(
+        key="reference_foot",
+        title="Proof of the whole chain by the reference foot",
+        sentences=tuple(_sentences(evaluation, verdict)),
+        numbers=(*_numbers(result, "", "as recommended"), *_place_numbers(result)),
+        tables=tables,
+        plots=(
+            Plot(
+                "Error seen from the sole, mm, outwards red",
+                lambda figure: _draw_maps(figure, evaluation),
+            ),
+        ),
+    )
+
+
+def _place_numbers(result: ChainErrors) -> Iterator[Number]:
+    best = result.best_place
+    assert best is not None, "the body has a known place"
+    label = "Mean absolute error that the best place would leave"
+    yield Number("best_place_mean_abs_mm", label, best.mean_abs_mm, "mm")
+    yield Number("place_mm", "Distance to that place", best.away_mm, "mm")
+    yield Number("turn_deg", "Turn to that place", best.turn_deg, "°")
+
+
 def _sentences(evaluation: ChainEvaluation, verdict: Verdict) -> Iterator[str]:
     known = evaluation.known
     yield f"Captured: {known.text}; {', '.join(evaluation.captures)}."
     yield f"Use the chain {_NAMES[verdict.use]}. {verdict.reason}"
     result = evaluation.results[verdict.use]
+    where = "its best place" if result.best_place is None else "its place among its markers"
     yield (
-        f"Compared with a size of {result.true_size_mm:.2f} mm in its best place; fitted freely it "
-        f"is {result.size_mm:.2f} mm."
+        f"Compared with a size of {result.true_size_mm:.2f} mm in {where}; fitted freely it is "
+        f"{result.size_mm:.2f} mm."
     )
     least, most = known.size_range_mm
     if most - least > _WIDE_RANGE_MM:
@@ -188,6 +232,12 @@ def _rows(evaluation: ChainEvaluation, classes: _Classify) -> tuple[tuple[str, .
             classes(without, evaluation), classes(learnt, evaluation), strict=True
         )
     )
+
+
+def _short(errors: Errors | None) -> tuple[str, ...]:
+    share = "–" if errors is None else f"{100 * errors.share:.0f} %"
+    sizes = (_cell(errors, kind) for kind in ("mean_abs_mm", "rms_mm", "p95_mm"))
+    return share, *sizes, _cell(errors, "signed_mm", "+")
 
 
 def _cells(without: Errors | None, learnt: Errors | None) -> tuple[str, ...]:

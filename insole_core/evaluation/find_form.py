@@ -82,10 +82,10 @@ def find_scan(surface: TriangleMesh, scan: Scan, name: str) -> ScannedBody:
     """
     _check_points(surface)
     found = _laid(surface, scan)
-    if found is not None and _fits(found, surface):
+    if found is not None and is_laid_on(found, surface):
         return found
     grown = None if found is None else _grown(found, surface)
-    if found is not None and grown is not None and _fits(grown, surface):
+    if found is not None and grown is not None and is_laid_on(grown, surface):
         raise CalibrationError(
             "{scan} is {size_mm:.0f} mm long, but would have to be {found_mm:.0f} mm long to fit "
             "what was captured; check its unit, and that it is of the same body.",
@@ -94,7 +94,7 @@ def find_scan(surface: TriangleMesh, scan: Scan, name: str) -> ScannedBody:
             found_mm=grown.size_mm,
         )
     mirrored = _laid(surface, Scan(scan.mesh.mirrored()))
-    if mirrored is not None and _fits(mirrored, surface):
+    if mirrored is not None and is_laid_on(mirrored, surface):
         raise CalibrationError(
             "{scan} fits what was captured only as its mirror image; name the scan of the same "
             "side, and check that neither is flipped.",
@@ -112,6 +112,18 @@ def on_form(form: KnownForm, points: FloatArray, normals: FloatArray) -> BoolArr
     errors, outward = form.errors(points)
     facing = np.einsum("nc,nc->n", normals, outward) > _FACING
     return np.asarray((np.abs(errors) < _BAND_MM) & facing)
+
+
+def is_laid_on(body: ScannedBody, surface: TriangleMesh) -> bool:
+    """Return whether a body in its place lies on what was measured of it."""
+    used = on_form(body, surface.vertices, surface.vertex_normals)
+    errors = body.errors(surface.vertices[used])[0]
+    area = surface.vertex_areas
+    return bool(
+        used.sum() >= _LEAST_POINTS
+        and area[used].sum() > _SCAN_SHARE * area.sum()
+        and np.median(np.abs(errors)) < _SCAN_MEDIAN_MM
+    )
 
 
 def _check_points(surface: TriangleMesh) -> None:
@@ -227,17 +239,6 @@ def _laid(surface: TriangleMesh, scan: Scan) -> ScannedBody | None:
             return None
         body = fitted(body, surface.vertices[used], surface.vertex_areas[used])
     return body
-
-
-def _fits(body: ScannedBody, surface: TriangleMesh) -> bool:
-    used = on_form(body, surface.vertices, surface.vertex_normals)
-    errors = body.errors(surface.vertices[used])[0]
-    area = surface.vertex_areas
-    return bool(
-        used.sum() >= _LEAST_POINTS
-        and area[used].sum() > _SCAN_SHARE * area.sum()
-        and np.median(np.abs(errors)) < _SCAN_MEDIAN_MM
-    )
 
 
 def _grown(body: ScannedBody, surface: TriangleMesh) -> ScannedBody:

@@ -9,7 +9,7 @@ from typing import Protocol, Self, TypeVar
 import numpy as np
 import scipy
 
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.sampling import area_samples, boundary_points
 from insole_core.geometry.transforms import inverse, rigid, transform
@@ -169,15 +169,28 @@ class Scan:
     ----------
     mesh : mm
         In its own frame.
+    judged : (m,) bool, optional
+        The triangles whose errors count; by default all.
     """
 
     mesh: TriangleMesh
+    judged: BoolArray | None = None
 
-    @cached_property
+    @property
     def samples(self) -> tuple[FloatArray, FloatArray]:
         """(n, 3) points spread evenly and densely over it, and their unit normals."""
-        points, triangle = area_samples(self.mesh, _SCAN_SAMPLE_MM2)
+        points, triangle = self._sampled
         return points, self.mesh.triangle_normals[triangle]
+
+    def is_judged(self, points: FloatArray) -> BoolArray:
+        """Return whether errors count where points (n, 3), mm, lie."""
+        if self.judged is None:
+            return np.ones(len(points), dtype=bool)
+        return np.asarray(self.judged[self._sampled[1][self._tree.query(points)[1]]])
+
+    @cached_property
+    def _sampled(self) -> tuple[FloatArray, IntArray]:
+        return area_samples(self.mesh, _SCAN_SAMPLE_MM2)
 
     @cached_property
     def middle_mm(self) -> FloatArray:

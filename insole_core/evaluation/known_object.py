@@ -5,15 +5,27 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from insole_core.errors import CalibrationError, UsageError
-from insole_core.evaluation.find_form import find_ball, find_cylinder, find_scan
-from insole_core.evaluation.known_form import KnownForm, Scan
+from insole_core.evaluation.find_form import (
+    find_ball,
+    find_cylinder,
+    find_scan,
+    is_laid_on,
+    on_form,
+)
+from insole_core.evaluation.known_form import KnownForm, Scan, ScannedBody, fitted
 from insole_core.evaluation.printed_body import PrintedBar
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.messages import Message
+from insole_core.recording.session import ReferenceSystem
 
 SIZES_MM = (40.0, 400.0)
 _USUAL_TOLERANCE_MM, _USUAL_TOLERANCE = 4.0, 0.02
+_MOST_SCALE = 0.01
+"""More than sensors are off; prints that nobody measured are."""
 
 
 @dataclass(frozen=True)
@@ -155,4 +167,84 @@ class KnownScan:
         return find_scan(surface, self.scan, self.name)
 
 
-KnownObject = KnownRound | KnownScan
+@dataclass(frozen=True, eq=False)
+class KnownPlaced:
+    """A body whose place among the markers is known too, so that nothing is fitted.
+
+    Parameters
+    ----------
+    scan
+        In the reference frame, as printed where a bar was measured.
+    name
+    system
+        The markers that it carries, as printed.
+    bar
+        Printed with the body.
+    """
+
+    scan: Scan
+    name: str
+    system: ReferenceSystem
+    bar: PrintedBar | None = None
+
+    @property
+    def size_range_mm(self) -> tuple[float, float]:
+        """Its longest extent, which is known."""
+        return self.scan.extent_mm, self.scan.extent_mm
+
+    @property
+    def text(self) -> str:
+        """The object in words."""
+        if self.bar is None:
+            return Message("{name} as it was drawn, its print not measured", name=self.name)
+        return Message("{name} as it was printed ({off})", name=self.name, off=self.bar.text)
+
+    def true_size_mm(self, fitted_mm: float) -> float:
+        """Return its own size, whatever was fitted."""
+        return self.scan.extent_mm
+
+    def find(self, surface: TriangleMesh) -> KnownForm:
+        """Return it in its place, where a surface, mm, reference frame, must show it.
+
+        Raises
+        ------
+        CalibrationError
+            When the surface is that of another body, or lies elsewhere among the markers.
+        """
+        placed = ScannedBody(self.scan, np.eye(4))
+        if is_laid_on(placed, surface):
+            self._check_size(placed, surface)
+            return placed
+        found = find_scan(surface, self.scan, self.name)
+        away_mm, turn_deg = moved_by(placed, found)
+        raise CalibrationError(
+            "{name} stands {away_mm:.1f} mm and {turn_deg:.1f}° from its place among the markers; "
+            "check that the markers are those of its own stand and lie flat on its posts.",
+            name=self.name,
+            away_mm=away_mm,
+            turn_deg=turn_deg,
+        )
+
+    def _check_size(self, placed: ScannedBody, surface: TriangleMesh) -> None:
+        own = on_form(placed, surface.vertices, surface.vertex_normals)
+        points, areas = surface.vertices[own], surface.vertex_areas[own]
+        scale = fitted(placed, points, areas, size=True).scale
+        if abs(scale - 1) > _MOST_SCALE:
+            raise CalibrationError(
+                "{text}: what was captured is {percent:+.1f} % off that size; measure the bar that "
+                "was printed with it again, and name the readings with --callipers.",
+                text=self.text,
+                percent=100 * (scale - 1),
+            )
+
+
+def moved_by(placed: KnownForm, found: KnownForm) -> tuple[float, float]:
+    """Return how far a body was found from its place, mm, and by how much turned, degrees."""
+    away_mm = float(np.linalg.norm(found.centre_mm - placed.centre_mm))
+    if not (isinstance(placed, ScannedBody) and isinstance(found, ScannedBody)):
+        return away_mm, 0.0
+    turn = found.scan2place[:3, :3] @ placed.scan2place[:3, :3].T
+    return away_mm, rotation_angle_deg(turn)
+
+
+KnownObject = KnownRound | KnownScan | KnownPlaced

@@ -87,6 +87,10 @@ class PrintedBar:
 
     def printed(self, drawn: TriangleMesh) -> TriangleMesh:
         """Return the form that a drawn body, mm, has as printed."""
+        return drawn.moved(self.placed(drawn.vertices))
+
+    def placed(self, drawn: FloatArray) -> FloatArray:
+        """Return where drawn points (..., 3), mm, lie in the print, whose origin stays."""
         skew = np.radians(self.skew_deg)
         axes = np.array([[1, 0, 0], [np.sin(skew), np.cos(skew), 0], [0, 0, 1]])
-        return drawn.moved(drawn.vertices @ (self.sizes[:, None] * axes))
+        return np.asarray(drawn @ (self.sizes[:, None] * axes))

@@ -10,7 +10,9 @@ import numpy as np
 from insole_core.errors import UsageError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.recording.session import ReferenceSystem
 from insole_core.simulate.iso_surface import extract_surface
+from insole_core.simulate.reference_foot import ReferenceFoot, reference_foot
 
 _CELL_MM = 2.0
 """With it a ball of 60 mm radius is 0.01 mm off, far below any sensor's error."""
@@ -32,10 +34,17 @@ class KnownBody:
     mesh : mm, reference frame, with colours
     holder : mm, reference frame, with colours
         What it rests on; seen by the sensors too.
+    system
+        The markers that it carries, where it has its own; by default it hangs among those of a
+        foot.
+    true_system
+        Where they are, if it was not printed as it is drawn.
     """
 
     mesh: TriangleMesh
     holder: TriangleMesh
+    system: ReferenceSystem | None = None
+    true_system: ReferenceSystem | None = None
 
 
 def ball(diameter_mm: float) -> KnownBody:
@@ -72,6 +81,15 @@ def upright_cylinder(diameter_mm: float) -> KnownBody:
     return on_plate(_body(distance, centre, np.array([radius, half, radius])))
 
 
+def printed_foot(printed: ReferenceFoot | None = None) -> KnownBody:
+    """Return the reference foot, as it is drawn or as a printer made it."""
+    drawn = reference_foot()
+    real = drawn if printed is None else printed
+    return KnownBody(
+        _painted(real.form, _ORANGE), _painted(real.stand, _PLATE), drawn.system, real.system
+    )
+
+
 def on_plate(mesh: TriangleMesh) -> KnownBody:
     """Rest a body, mm, reference frame, on a plate at its toes' end."""
     low, high = mesh.bounds_mm
@@ -104,4 +122,8 @@ def _body(
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     low = centre + [axis[0] for axis in axes]
     surface = extract_surface(distance(points), low, _CELL_MM)
-    return surface.with_attributes(colors=np.full((len(surface.vertices), 3), color, np.uint8))
+    return _painted(surface, color)
+
+
+def _painted(mesh: TriangleMesh, color: tuple[int, int, int]) -> TriangleMesh:
+    return mesh.with_attributes(colors=np.full((len(mesh.vertices), 3), color, np.uint8))

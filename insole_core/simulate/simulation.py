@@ -257,10 +257,13 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
     rng = np.random.default_rng([foot_seed, 0])
     both = options.side == BOTH
     reference_system = load_reference_system(_BOTH_FEET if both else _ONE_FOOT)
+    told = reference_system
     feet = {foot.place: _foot(foot, options, rng) for foot in _standing(options, rng)}
     truths, holders = {side: foot.mesh for side, foot in feet.items()}, []
     if options.body is not None:
         truths, holders = {Side(options.side): options.body.mesh}, [options.body.holder]
+        told = options.body.system or told
+        reference_system = options.body.true_system or told
     placed = (_in_system(mesh, side, reference_system) for side, mesh in truths.items())
     surface = joined([*placed, *holders])
     caster = SceneCaster(build_scene(surface, reference_system, rng))
@@ -289,7 +292,7 @@ def simulate_session(options: SimulationOptions, progress: Progress = SILENT) ->
         color = record_color(caster, device.sensor, poses[name])
         recorder = Recorder(depth, color, [options.seed, 3, number])
         views.append(_view(name, device, recorder, options))
-    manifest = _manifest(options, reference_system, tuple(poses))
+    manifest = _manifest(options, told, tuple(poses))
     session = Session(
         manifest, tuple(views), Message("the simulation with seed {seed}", seed=options.seed)
     )
@@ -433,7 +436,7 @@ def _manifest(
         side=options.side,
         reference_system=reference_system,
         views=views,
-        volume_of_interest=None if reference_system.feet else _VOLUME,
+        volume_of_interest=_VOLUME if reference_system.name == _ONE_FOOT else None,
         capture_condition=CaptureCondition(notes=f"Simulated, seed {options.seed}"),
     )
 

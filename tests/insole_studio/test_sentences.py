@@ -67,7 +67,7 @@ PAPERS = (
     "formats/obj.py", "formats/off.py", "formats/ply.py", "formats/slicer_3mf.py",
     "formats/stl.py", "formats/three_mf.py", "insole/prescription/prescription_lines.py",
     "records/fhir.py", "records/statement.py", "milling/gcode.py", "simulate/simulation.py",
-    "solids/export_job.py",
+    "solids/export_job.py", "workflows/calibration/reference_foot_paper.py",
 )  # fmt: skip
 """Files that write reports, papers and meshes, in English; what they refuse is said in Swedish."""
 PUT_TOGETHER = {"shoe height"} | {

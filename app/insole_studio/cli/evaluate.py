@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING
 
 from insole_core.errors import InputError
 from insole_core.progress import Progress
-from insole_studio.cli import evaluate_chain, evaluate_object, evaluate_repeat
+from insole_studio.cli import (
+    evaluate_chain,
+    evaluate_object,
+    evaluate_reference_foot,
+    evaluate_repeat,
+)
 from insole_studio.cli.argument_parser import Command, Step, add_steps, number
 from insole_studio.cli.board_arguments import add_board_arguments, read_correspondences
 from insole_studio.cli.report_arguments import add_evaluation_arguments, check_reports, conclude
@@ -255,6 +260,7 @@ KINDS: tuple[Command, ...] = (
     evaluate_object,
     ARTEFACT,
     NOISE,
+    evaluate_reference_foot,
     evaluate_chain,
     evaluate_repeat,
 )

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from insole_core.evaluation.printed_body import PrintedBar
 
 NAME = "chain"
+REFERENCE_FOOT = "reference-foot"
 HELP = "the whole chain, with and without the learnt correction, against an object of known form"
 
 
@@ -45,6 +46,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     what.add_argument(
         "--scan", type=Path, metavar="FILE",
         help="what another scanner measured of the object, such as a plaster cast",
+    )  # fmt: skip
+    what.add_argument(
+        "--body", choices=[REFERENCE_FOOT],
+        help="the object is the reference foot that evaluate reference-foot writes, printed",
     )  # fmt: skip
     size = parser.add_mutually_exclusive_group()
     for name in ("diameter", "circumference"):
@@ -98,15 +103,17 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 
 def _known(arguments: argparse.Namespace) -> KnownObject:
-    if arguments.scan is not None:
+    if arguments.scan is not None or arguments.body is not None:
         if arguments.diameter or arguments.circumference or arguments.tolerance is not None:
             raise UsageError(
-                "--scan tells the size itself; leave out --diameter, --circumference and "
-                "--tolerance."
+                "--scan and --body tell the size themselves; leave out --diameter, --circumference "
+                "and --tolerance."
             )
-        return _scan(arguments)
+        return _scan(arguments) if arguments.body is None else _reference_foot(arguments)
     if arguments.bar is not None or arguments.callipers is not None:
-        raise UsageError("--bar and --callipers are of a printed body; name its file with --scan.")
+        raise UsageError(
+            "--bar and --callipers are of a printed body; name its file with --scan, or --body."
+        )
     if arguments.unit is not None:
         raise UsageError("--unit is that of a --scan; sizes are given in millimetres.")
     from insole_core.evaluation.known_object import KnownRound
@@ -139,6 +146,14 @@ def _scan(arguments: argparse.Namespace) -> KnownObject:
         print(visible_line(f"{arguments.scan.name}: {note}"), file=sys.stderr)
     mesh = read.mesh if bar is None else bar.printed(read.mesh)
     return KnownScan(Scan(mesh), arguments.scan.name, bar)
+
+
+def _reference_foot(arguments: argparse.Namespace) -> KnownObject:
+    if arguments.bar is not None or arguments.unit is not None:
+        raise UsageError("The bar and the unit of the reference foot are known; leave them out.")
+    from insole_core.workflows.calibration.reference_foot_files import known_reference_foot
+
+    return known_reference_foot(arguments.callipers)
 
 
 def _bar(arguments: argparse.Namespace) -> PrintedBar | None:

@@ -72,6 +72,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             f"--{name}", type=number, metavar="MM",
             help=f"a {name} of this diameter instead of a foot, to rehearse evaluate chain",
         )  # fmt: skip
+    body.add_argument(
+        "--reference-foot", action="store_true",
+        help="the printed reference foot on its stand, to rehearse evaluate chain",
+    )  # fmt: skip
     parser.add_argument(
         "--color-frames",
         type=whole,
@@ -173,8 +177,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
 
 def _body(arguments: argparse.Namespace) -> KnownBody | None:
     """Return what is in the place of the foot, if it is no foot."""
-    from insole_core.simulate.known_bodies import ball, upright_cylinder
+    from insole_core.simulate.known_bodies import ball, printed_foot, upright_cylinder
 
+    if arguments.reference_foot:
+        return printed_foot()
     if arguments.ball is not None:
         return ball(arguments.ball)
     if arguments.cylinder is not None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from insole_core.errors import UsageError
+from insole_core.errors import CalibrationError, UsageError
 from insole_core.evaluation.chain import (
     CORRECTIONS,
     Capture,
@@ -16,7 +16,7 @@ from insole_core.evaluation.chain import (
     evaluate_chain,
 )
 from insole_core.evaluation.chain_section import Verdict, judge
-from insole_core.evaluation.known_object import KnownObject
+from insole_core.evaluation.known_object import KnownObject, KnownPlaced
 from insole_core.geometry.side import BOTH
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
@@ -90,7 +90,7 @@ def prove_chain(
     ReconstructionError
         When no view of a session can be used.
     CalibrationError
-        When the object is not found, or is not what was said.
+        When the object is not found, is not what was said, or carries other markers.
     Cancelled
     """
     check_once(paths)
@@ -99,7 +99,7 @@ def prove_chain(
     choice = sessions[0].correction
     captures: list[Capture] = []
     for path, part in zip(paths, progress.part(0.0, 0.8).parts(len(paths)), strict=True):
-        opened = measure_session(path, part.part(0.0, 0.4))
+        opened = _among_markers(measure_session(path, part.part(0.0, 0.4)), known)
         captures.append(_captured(opened, part.part(0.4, 1.0)))
     progress.step(0.8, "Comparing with the truth")
     evaluation = evaluate_chain(known, captures)
@@ -137,6 +137,23 @@ def _common_serials(sessions: Sequence[MeasuredSession]) -> tuple[str, ...]:
                 others=joined(serials),
             )
     return first
+
+
+def _among_markers(opened: MeasuredSession, known: KnownObject) -> MeasuredSession:
+    """Return a session with the markers of the object itself, where it carries any, as printed."""
+    if not isinstance(known, KnownPlaced):
+        return opened
+    manifest = opened.session.manifest
+    if manifest.reference_system.name != known.system.name:
+        raise CalibrationError(
+            "{path} was captured with the reference system {own}, but the body carries that of "
+            "{needed}; choose it before the capture, and stand the body alone before the sensors.",
+            path=opened.path,
+            own=manifest.reference_system.name,
+            needed=known.system.name,
+        )
+    printed = replace(manifest, reference_system=known.system)
+    return replace(opened, session=replace(opened.session, manifest=printed))
 
 
 def _captured(opened: MeasuredSession, progress: Progress) -> Capture:

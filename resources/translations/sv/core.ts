@@ -9240,6 +9240,14 @@
             <translation>{name} (spegelvänd)</translation>
         </message>
         <message>
+            <source>{name} as it was drawn, its print not measured</source>
+            <translation>{name} som den är ritad, utskriften inte mätt</translation>
+        </message>
+        <message>
+            <source>{name} as it was printed ({off})</source>
+            <translation>{name} som den skrevs ut ({off})</translation>
+        </message>
+        <message>
             <source>{name} cannot be decoded; restore it from the recording.</source>
             <translation>{name} kan inte avkodas; återställ den från inspelningen.</translation>
         </message>
@@ -9346,6 +9354,10 @@
         <message>
             <source>{name} is {value} (usual: {low} to {high})</source>
             <translation>{name} är {value} (vanligt: {low} till {high})</translation>
+        </message>
+        <message>
+            <source>{name} stands {away_mm:.1f} mm and {turn_deg:.1f}° from its place among the markers; check that the markers are those of its own stand and lie flat on its posts.</source>
+            <translation>{name} står {away_mm:.1f} mm och {turn_deg:.1f}° från sin plats bland markörerna; kontrollera att markörerna är dess eget ställs och ligger plant på dess stolpar.</translation>
         </message>
         <message>
             <source>{name} {value}</source>
@@ -9900,6 +9912,10 @@
             <translation>{path} anger att dess sensorer ligger {pitch:g} mm isär, och de ligger {low:g} till {high:g} mm isär; exportera den på nytt.</translation>
         </message>
         <message>
+            <source>{path} was captured with the reference system {own}, but the body carries that of {needed}; choose it before the capture, and stand the body alone before the sensors.</source>
+            <translation>{path} spelades in med referenssystemet {own}, men kroppen bär det som heter {needed}; välj det före inspelningen, och ställ kroppen ensam framför sensorerna.</translation>
+        </message>
+        <message>
             <source>{path} was changed by another program since it was opened here.</source>
             <translation>{path} har ändrats av ett annat program sedan den öppnades här.</translation>
         </message>
@@ -10270,6 +10286,10 @@
         <message>
             <source>{text} is not between {first} and {last}; check the year.</source>
             <translation>{text} ligger inte mellan {first} och {last}; kontrollera året.</translation>
+        </message>
+        <message>
+            <source>{text}: what was captured is {percent:+.1f} % off that size; measure the bar that was printed with it again, and name the readings with --callipers.</source>
+            <translation>{text}: det som spelades in avviker {percent:+.1f} % från den storleken; mät staven som skrevs ut med den igen, och ange avläsningarna med --callipers.</translation>
         </message>
         <message>
             <source>{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the thinnest {least:.1f} mm: the edge is thin or steep there, or no block stays beside it. Hold the piece down when it comes free, or take a larger block.</source>

@@ -177,7 +177,7 @@ def test_no_session_counts_twice(session: Path) -> None:
         (["--cylinder", "--diameter", "90", "95", "99"], "one number, or two"),
         (["--ball", "--diameter", "120", "--tolerance", "-1"], "tolerance"),
         (["--ball", "--diameter", "120", "--unit", "mm"], "--unit is that of a --scan"),
-        (["--scan", "nowhere.stl", "--diameter", "120"], "tells the size itself"),
+        (["--scan", "nowhere.stl", "--diameter", "120"], "tell the size themselves"),
         (["--ball", "--bar", "50", "50", "50"], "are of a printed body"),
         (["--scan", "nowhere.stl", "--bar", "50", "50", "50"], "Give both the drawn edges"),
     ],
