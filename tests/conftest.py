@@ -48,14 +48,17 @@ def returned_memory() -> Iterator[None]:
 
 
 @pytest.hookimpl(trylast=True)
-def pytest_runtest_teardown(item: pytest.Item) -> None:
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
     """Look through what is frozen too, once the process has grown.
 
     A window that served a whole module was there before its tests, was frozen by them, and is a
     cycle when the module ends; so is a foot that was kept for other tests until newer ones came.
     """
     stash = item.config.stash
-    most_mb = stash.setdefault(KEPT_MB, resident_mb()) + GROWN_MB
+    kept_mb = stash.setdefault(KEPT_MB, resident_mb())
+    if nextitem is None or nextitem.path != item.path:  # what its module shared is free again
+        kept_mb = stash[KEPT_MB] = min(kept_mb, resident_mb())
+    most_mb = kept_mb + GROWN_MB
     # What is frozen takes half a second to look through: mostly the test has just freed much.
     if resident_mb() <= most_mb:
         return

@@ -42,7 +42,7 @@ from insole_core.workflows import (
     scanned_feet,
 )
 
-KEPT, KEPT_FEET, KEPT_SMALL = 8, 6, 256
+KEPT, KEPT_FEET, KEPT_SMALL = 4, 3, 256
 """Results of each kind; feet, with what is derived from each of them, which is some 50 MB; and
 corners of boards, of which a sensor's pictures show many."""
 KEPT_BYTES = 24_000_000
