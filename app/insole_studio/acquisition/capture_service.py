@@ -189,12 +189,19 @@ class _Service:
 
     def _tune(self, command: Tune) -> None:
         sensor = self._live.opened[command.serial]
-        if command.tuning.preset is not None:
-            require(sensor, Capability.PRESET)
-        if command.tuning.laser_mw is not None:
-            require(sensor, Capability.LASER)
-        sensor.tune(command.tuning)
-        self._send(self._live.summary)
+        tuning = command.tuning
+        for capability, value in (
+            (Capability.PRESET, tuning.preset),
+            (Capability.LASER, tuning.laser_mw),
+            (Capability.HAS_PAIR, tuning.pair),
+        ):
+            if value is not None:
+                require(sensor, capability)
+        try:
+            sensor.tune(tuning)
+            self._live.start()  # a controller may have room for others now
+        finally:
+            self._send(self._live.summary)
 
     def _tell_roll(self, serial: str, roll_deg: float) -> None:
         """Warn about a roll, which the motor cannot correct."""

@@ -139,11 +139,8 @@ class LiveSensors:
         except SensorError as error:
             self._note(serial, str(error))
             return
-        self._states[serial] = replace(
-            self._states[serial],
-            capabilities=opened.capabilities,
-            factory=opened.factory_sensor(()),
-        )
+        factory = opened.factory_sensor(())
+        self._states[serial] = replace(self._states[serial], factory=factory)
 
     def _advance(self, sensor: OpenSensor) -> bool:
         serial = sensor.serial
@@ -167,7 +164,12 @@ class LiveSensors:
         state = replace(self._states[serial], fps=self._fps(serial), warm_s=warm_s)
         if opened is None:
             return state
-        return replace(state, tuning=opened.tuning, laser_range=opened.laser_range)
+        return replace(
+            state,
+            capabilities=opened.capabilities,
+            tuning=opened.tuning,
+            laser_range=opened.laser_range,
+        )
 
     def _fps(self, serial: str) -> float:
         times = self._times[serial]

@@ -36,6 +36,8 @@ class Capability(Enum):
     """It can judge its own depth more or less strictly."""
     LASER = "laser"
     """The power of its projector can be set."""
+    HAS_PAIR = "has pair"
+    """It can be set to send the pair of infrared pictures."""
 
 
 class Preset(Enum):
@@ -57,10 +59,13 @@ class Tuning:
         None where it has none, or one that the program does not know.
     laser_mw
         Power of its projector; None where it cannot be set.
+    pair
+        Whether it sends the pair of infrared pictures; None where it cannot.
     """
 
     preset: Preset | None = None
     laser_mw: float | None = None
+    pair: bool | None = None
 
 
 UNTUNED = Tuning()

@@ -131,8 +131,12 @@ class RealSensePort:
         settings = replace(self._settings, laser_mw=asked.laser_mw)
         if preset := asked.preset or kept.preset:
             settings = replace(settings, preset=CameraPreset[preset.name])
+        pair = kept.pair if asked.pair is None else asked.pair
+        settings = replace(settings, infrared=settings.infrared if pair is None else pair)
         with translating():
             camera = Camera(self._bus, serial, settings)
+            if kept.pair and not asked.pair and not camera.has_infrared:
+                camera.set_infrared(False)
             limits = camera.laser_range_mw
             if kept.laser_mw is not None and asked.laser_mw is None and limits is not None:
                 camera.set_laser_mw(min(max(kept.laser_mw, limits[0]), limits[1]))
@@ -174,7 +178,7 @@ class OpenRealSense:
         self.bus = camera.info.controller
         laser = camera.laser_range_mw
         self.laser_range = None if laser is None else LaserRange(*laser)
-        self.capabilities = _can(camera)
+        self._has_presets = camera.has_presets
         self.tuning = _tuning(camera)
         self._tunings = tunings
         self._eyes: dict[Eye, Frame] = {}
@@ -202,15 +206,45 @@ class OpenRealSense:
         with translating():
             return sensor_of(self._camera.calibration, self.serial, self.model, faces)
 
+    @property
+    def capabilities(self) -> frozenset[Capability]:
+        """What it can do beyond depth and colour (see `OpenSensor`)."""
+        found = {
+            Capability.PAIR: self.tuning.pair,
+            Capability.HAS_PAIR: self.tuning.pair is not None,
+            Capability.PRESET: self._has_presets,
+            Capability.LASER: self.laser_range is not None,
+        }
+        return _CAN.union(capability for capability, has in found.items() if has)
+
     def tune(self, tuning: Tuning) -> None:
-        """Set preset and power of the projector, and keep them for next time."""
+        """Set preset, power of the projector and pair, and keep them (see `OpenSensor`)."""
         with translating():
+            if tuning.pair is not None:
+                self._send_pair(tuning.pair)
             if tuning.preset is not None:
                 self._camera.set_preset(CameraPreset[tuning.preset.name])
             if tuning.laser_mw is not None:
                 self._camera.set_laser_mw(tuning.laser_mw)
             self.tuning = _tuning(self._camera)
         self._tunings.keep(self.serial, self.tuning)
+
+    def _send_pair(self, on: bool) -> None:
+        """Stream the pair of infrared pictures too, or no longer; both restart depth."""
+        before, streamed = self._camera.sends_infrared, self.streams
+        if on == before:
+            return
+        self._camera.stop_depth()
+        self._eyes.clear()
+        self._camera.set_infrared(on)
+        if not streamed:
+            return
+        try:
+            self.start()
+        except BusFullError:
+            self._camera.set_infrared(before)
+            self.start()
+            raise
 
     @property
     def emits(self) -> bool:
@@ -336,18 +370,13 @@ class OpenRealSense:
             self._camera.close()
 
 
-def _can(camera: Camera) -> frozenset[Capability]:
-    found = {
-        Capability.PAIR: camera.sends_infrared,
-        Capability.PRESET: camera.has_presets,
-        Capability.LASER: camera.laser_range_mw is not None,
-    }
-    return _CAN.union(capability for capability, has in found.items() if has)
-
-
 def _tuning(camera: Camera) -> Tuning:
     preset = camera.preset
-    return Tuning(None if preset is None else Preset[preset.name], camera.laser_mw)
+    return Tuning(
+        None if preset is None else Preset[preset.name],
+        camera.laser_mw,
+        camera.sends_infrared if camera.has_infrared else None,
+    )
 
 
 def sensor_of(calibration: Calibration, serial: str, model: str, faces: tuple[str, ...]) -> Sensor:

@@ -142,7 +142,13 @@ class OpenSensor(Protocol):
         ...
 
     def tune(self, tuning: Tuning) -> None:
-        """Set what is not None; with `Capability.PRESET` and `LASER`. It is kept for next time."""
+        """Set what is not None; with `PRESET`, `LASER` and `HAS_PAIR`. It is kept for next time.
+
+        Raises
+        ------
+        BusFullError
+            When the USB controller cannot carry the pair as well; nothing has changed then.
+        """
         ...
 
     @property
@@ -321,6 +327,7 @@ _LACKS = {
     Capability.INFRARED: Message("sends no infrared pictures; choose one that does"),
     Capability.PRESET: Message("judges its depth in one way only; leave out the preset"),
     Capability.LASER: Message("has a projector of one power only; leave the power as it is"),
+    Capability.HAS_PAIR: Message("has no pair of infrared pictures; leave them out"),
 }
 
 

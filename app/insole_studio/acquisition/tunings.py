@@ -23,7 +23,7 @@ _PRESETS = tuple(preset.value for preset in Preset)
 def as_json(tuning: Tuning) -> dict[str, Any]:
     """Return what is set of a sensor for a file; what it has not is left out."""
     preset = None if tuning.preset is None else tuning.preset.value
-    entries = {"preset": preset, "laser_mw": tuning.laser_mw}
+    entries = {"preset": preset, "laser_mw": tuning.laser_mw, "infrared_pair": tuning.pair}
     return {key: value for key, value in entries.items() if value is not None}
 
 
@@ -72,4 +72,5 @@ def _tuning(item: JsonObject) -> Tuning:
     return Tuning(
         Preset(item.choice("preset", _PRESETS)) if item.has("preset") else None,
         item.number("laser_mw", 0, _MOST_MW) if item.has("laser_mw") else None,
+        item.flag("infrared_pair") if item.has("infrared_pair") else None,
     )

@@ -156,8 +156,9 @@ def add_camera_arguments(parser: argparse.ArgumentParser) -> None:
         help="of the projectors of RealSense cameras (as set in the window, else as it is)",
     )  # fmt: skip
     parser.add_argument(
-        "--infrared-pair", action="store_true",
-        help="also record the infrared pictures, left and right, of RealSense cameras",
+        "--infrared-pair", action=argparse.BooleanOptionalAction,
+        help="also record the infrared pictures, left and right, of RealSense cameras, which makes "
+        "the foot finer (as set in the window, else not)",
     )  # fmt: skip
 
 
@@ -167,14 +168,15 @@ def with_camera_arguments(source: SensorSource, arguments: argparse.Namespace) -
     from insole_studio.acquisition.tunings import TUNING_FILE, Tunings
     from realsense_d400.settings import CameraSettings
 
-    settings, file = CameraSettings(infrared=arguments.infrared_pair), None
+    settings, file = CameraSettings(), None
     preset = None
     if arguments.preset == _AS_IT_IS:
         settings = replace(settings, preset=None)
     else:
         file = store_folder(arguments) / TUNING_FILE
         preset = Preset(arguments.preset) if arguments.preset else None
-    tunings = Tunings(file, Tuning(preset, arguments.laser_power))
+    asked = Tuning(preset, arguments.laser_power, arguments.infrared_pair)
+    tunings = Tunings(file, asked)
     return replace(source, camera=settings, tunings=tunings)
 
 

@@ -6,7 +6,7 @@ import time
 from collections import defaultdict, deque
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -257,6 +257,17 @@ class Camera:
             power_mw = least + step * round((power_mw - least) / step) if step else power_mw
         with told(self.serial):
             self._set(self._depth_sensor, "laser_power", power_mw)
+
+    @property
+    def has_infrared(self) -> bool:
+        """Whether it can stream the pair of infrared pictures."""
+        with suppress(RealSenseError):
+            return bool(self._eyes())
+        return False
+
+    def set_infrared(self, on: bool) -> None:
+        """Stream the pair of infrared pictures from the next start of depth on, or no longer."""
+        self._settings = replace(self._settings, infrared=on)
 
     @property
     def sends_infrared(self) -> bool:

@@ -21,7 +21,7 @@ def library() -> Any:
     LibraryMissingError
     """
     try:
-        import pyrealsense2  # noqa: PLC0415 - large, and not there on every system
+        import pyrealsense2
     except ImportError as error:
         raise LibraryMissingError(
             "A RealSense camera needs the library pyrealsense2, which is missing here; install it "

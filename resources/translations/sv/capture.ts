@@ -56,6 +56,14 @@
             <translation>Hög täthet</translation>
         </message>
         <message>
+            <source>Infrared pair</source>
+            <translation>Infrarött par</translation>
+        </message>
+        <message>
+            <source>Infrared pair of sensor {serial}</source>
+            <translation>Infrarött par från sensor {serial}</translation>
+        </message>
+        <message>
             <source>It is kept until {day}.</source>
             <translation>Den sparas till {day}.</translation>
         </message>
@@ -94,6 +102,10 @@
         <message>
             <source>Put the sensor in its place for view {view}, then say that it stands.</source>
             <translation>Ställ sensorn på sin plats för vy {view}, och säg sedan att den står.</translation>
+        </message>
+        <message>
+            <source>Records its two infrared pictures too, which makes the foot finer. Two such sensors fit on one USB controller instead of three.</source>
+            <translation>Spelar även in dess två infraröda bilder, vilket gör foten finare. Två sådana sensorer ryms på en USB-styrenhet i stället för tre.</translation>
         </message>
         <message>
             <source>Something moves; hold the foot still</source>

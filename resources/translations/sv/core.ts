@@ -6140,6 +6140,10 @@
             <translation>har ingen motor; vrid den för hand</translation>
         </message>
         <message>
+            <source>has no pair of infrared pictures; leave them out</source>
+            <translation>har inget par av infraröda bilder; utelämna dem</translation>
+        </message>
+        <message>
             <source>has not the same number of sensors in each row</source>
             <translation>har inte lika många sensorer i varje rad</translation>
         </message>

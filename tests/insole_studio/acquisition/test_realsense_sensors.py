@@ -247,14 +247,14 @@ def test_what_is_set_of_a_camera_is_kept_for_it_alone(
     assert "sensors start as they are" in caplog.text
 
 
-def large(serial: str, bus: int) -> EmulatedCamera:
+def large(serial: str, bus: int, **options: Any) -> EmulatedCamera:
     """Return a camera with the pictures of a D415, which nobody looks at."""
     no_lens = (0.0, 0.0, 0.0, 0.0, 0.0)
     depth = Intrinsics(1280, 720, 920.0, 920.0, 640.0, 360.0, no_lens, inverse=False)
     color = Intrinsics(1920, 1080, 1370.0, 1370.0, 960.0, 540.0, no_lens, inverse=False)
     calibration = Calibration(depth, color, np.eye(3), np.zeros(3), 0.1, 55.0)
     pictures = [np.zeros((720, 1280), np.uint16)], [np.zeros((1080, 1920, 3), np.uint8)]
-    return EmulatedCamera(serial, calibration, *pictures, make=Make(bus=bus))
+    return EmulatedCamera(serial, calibration, *pictures, make=Make(bus=bus), **options)
 
 
 def test_six_cameras_on_one_controller_are_told_before_the_first_frame(
@@ -383,6 +383,33 @@ def test_the_pair_of_infrared_pictures_is_recorded_where_it_is_asked_for(
     left, right = (view.infrared[f"infrared_{eye}"].read(0) for eye in ("left", "right"))
     assert left[0, 0] in (3, 5)
     assert np.array_equal(right, left + 9)
+
+
+def test_the_pair_can_be_switched_on_where_the_controller_has_room(
+    place: Callable[..., Place], tmp_path: Path
+) -> None:
+    grey = np.zeros((720, 1280), np.uint8)
+    ours = place(*(large(serial, 2, infrared=[(grey, grey)]) for serial in ("1", "2", "3")))
+    tunings = Tunings(tmp_path / "kept.json")
+    port = RealSensePort(ours.cameras, tunings=tunings)
+    first, second, third = (port.open(serial) for serial in ("1", "2", "3"))
+    ours.sensors = {one.serial: one for one in (first, second, third)}
+    assert first.tuning.pair is False
+    assert Capability.PAIR not in first.capabilities
+    for one in ours.sensors.values():
+        one.start()
+    with pytest.raises(BusFullError, match=r"carries 2 cameras already.* so that 2 fit"):
+        third.tune(Tuning(pair=True))
+    assert (third.tuning.pair, third.streams, tunings.kept("3")) == (False, True, UNTUNED)
+    second.stop()
+    third.tune(Tuning(pair=True))
+    assert Capability.PAIR in third.capabilities
+    wait_for(lambda: third.poll_pair() is not None)
+    third.close()
+    with port.open("3") as again:
+        assert again.tuning.pair
+        again.tune(replace(again.tuning, pair=False))
+        assert Capability.PAIR not in again.capabilities
 
 
 def test_recordings_of_the_library_are_cameras_of_a_rig(tmp_path: Path) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QWidget
 
 from insole_studio.acquisition.messages import UNTUNED, Capability, Preset
 from insole_studio.features.capture.rows import SensorRow
@@ -16,7 +16,7 @@ from insole_studio.widgets.number_field import NumberField
 
 
 class SensorSettings(QWidget):
-    """Preset and power of the projector of a sensor."""
+    """Preset, power of the projector, and infrared pair of a sensor."""
 
     edited = Signal(object)
     """The `Tuning` that the user wants."""
@@ -42,11 +42,21 @@ class SensorSettings(QWidget):
             tr("Power of the projector: less where the depth has holes in what is bright and near")
         )
         self._laser.edited.connect(lambda power_mw: self._edit(laser_mw=power_mw))
+        self._pair = QCheckBox(tr("Infrared pair"))
+        self._pair.setAccessibleName(tr("Infrared pair of sensor {serial}").format(serial=serial))
+        self._pair.setToolTip(
+            tr(
+                "Records its two infrared pictures too, which makes the foot finer. Two such "
+                "sensors fit on one USB controller instead of three."
+            )
+        )
+        self._pair.toggled.connect(lambda on: self._edit(pair=on))
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(4)
         row.addWidget(self._preset)
         row.addWidget(self._laser)
+        row.addWidget(self._pair)
         row.addStretch(1)
         self.hide()
 
@@ -63,8 +73,12 @@ class SensorSettings(QWidget):
             self._laser.setSingleStep(row.laser_range.step_mw)
         if row.tuning.laser_mw is not None:
             self._laser.show_value(row.tuning.laser_mw)
+        has_pair = Capability.HAS_PAIR in row.capabilities
+        self._pair.setVisible(has_pair)
+        with QSignalBlocker(self._pair):
+            self._pair.setChecked(bool(row.tuning.pair))
         self.setEnabled(row.can_tune)
-        self.setVisible(has_preset or has_laser)
+        self.setVisible(has_preset or has_laser or has_pair)
 
     def _edit(self, **changes: Any) -> None:
         tuning = replace(self._tuning, **changes)

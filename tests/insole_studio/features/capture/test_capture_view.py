@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QToolButton
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QMenu, QPushButton, QToolButton
 from pytestqt.qtbot import QtBot
 
 from insole_studio.acquisition.messages import Capability, LaserRange, Preset, Tuning
@@ -97,6 +97,13 @@ def test_a_card_offers_what_its_sensor_can_be_set_to(view: CaptureView, qtbot: Q
     with qtbot.waitSignal(view.tuning_edited) as edited:
         QTest.keyClick(light, Qt.Key.Key_Up)
     assert edited.args == ["D1", replace(strict, laser_mw=180.0)]
+    pair = next(c for c in view.findChildren(QCheckBox) if c.text() == "Infrared pair")
+    assert not pair.isVisible()
+    paired = replace(strict, pair=False)
+    view.show_sensors([replace(both, capabilities=can | {Capability.HAS_PAIR}, tuning=paired)])
+    with qtbot.waitSignal(view.tuning_edited) as edited:
+        QTest.keyClick(pair, Qt.Key.Key_Space)
+    assert edited.args == ["D1", replace(strict, pair=True)]
     light.setFocus()
     with qtbot.waitSignal(view.undo_requested):
         QTest.keyClick(light, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
