@@ -40,7 +40,7 @@ _FIELD = (0.8, 0.5)
 """Tangents of half the angles that a projector lights."""
 _AMBIENT, _BRIGHT_MM = 0.15, 600.0
 _SPECKLE, _BLUR_PX, _SHOT_NOISE, _READ_NOISE = 0.15, 0.6, 0.1, 0.05
-_LEAST_CORRELATION, _LEAST_VARIANCE = 0.6, 1e-4
+LEAST_LIKENESS, _LEAST_VARIANCE = 0.6, 1e-4
 _LEVELS = 100.0
 """Grey level of a stored infrared picture at brightness 1."""
 
@@ -60,15 +60,21 @@ class StereoDevice:
         What its disparities are too large by.
     dots : (rows, columns) float32, about 1 on average
         Its projector's pattern over the tangents of the direction.
+    least_likeness
+        Correlation of windows below which it gives no reading: high by a strict preset.
     """
 
     sensor: Sensor
     error_px: FloatArray
     dots: Float32Array
+    least_likeness: float = LEAST_LIKENESS
 
 
 def make_stereo_device(
-    serial: str, faces: tuple[str, ...], rng: np.random.Generator
+    serial: str,
+    faces: tuple[str, ...],
+    rng: np.random.Generator,
+    least_likeness: float = LEAST_LIKENESS,
 ) -> StereoDevice:
     """Draw a device.
 
@@ -78,6 +84,8 @@ def make_stereo_device(
     faces
         The marker groups it sees.
     rng
+    least_likeness
+        As of `StereoDevice`.
 
     Returns
     -------
@@ -111,7 +119,7 @@ def make_stereo_device(
         depth_unit_mm=UNIT_MM,
         baseline_mm=BASELINE_MM,
     )
-    return StereoDevice(sensor, error, _draw_dots(focal_px, rng))
+    return StereoDevice(sensor, error, _draw_dots(focal_px, rng), least_likeness)
 
 
 def _error_px(rng: np.random.Generator) -> FloatArray:
@@ -242,7 +250,7 @@ class StereoRecording:
             found[better] = disparity
             previous = likeness
         bend = np.maximum(2 * best - before - after, 1e-6)
-        known = (best > _LEAST_CORRELATION) & (found > first) & (found < last)
+        known = (best > self.device.least_likeness) & (found > first) & (found < last)
         return np.asarray(found + (after - before) / (2 * bend), np.float32), np.asarray(known)
 
 

@@ -28,6 +28,7 @@ from insole_core.recording.session import (
     View,
 )
 from insole_core.simulate.active_stereo import (
+    LEAST_LIKENESS,
     Projector,
     StereoDevice,
     StereoRecording,
@@ -69,6 +70,7 @@ _LIMITS: Limits = {
     "color_frames": ("number of colour frames", 1, 999),
     "infrared_frames": ("number of infrared pictures", 0, 999),
     "sensors": ("number of sensors around both feet", 4, 6),
+    "least_likeness": ("least likeness of windows", 0.1, 0.95),
     "foot_cell_mm": ("resolution of the foot's surface (mm)", 1, 8),
 }
 
@@ -135,6 +137,8 @@ class SimulationOptions:
     sensor
         ``kinect``, ``d415`` (stereo cameras as a RealSense D415, all projectors on at once), or
         ``mixed``: stereo cameras before the sole, Kinects behind the tendon.
+    least_likeness
+        Correlation of a stereo camera's windows below which it gives no reading.
     infrared_frames
         Number of infrared pictures of every view of a Kinect. With any, the dots are the sensor's
         own, those of its walls (`simulate_walls`); else they are drawn with the view.
@@ -165,6 +169,7 @@ class SimulationOptions:
     sensor_seed: int | None = None
     foot_seed: int | None = None
     sensor: SensorKind = "kinect"
+    least_likeness: float = LEAST_LIKENESS
     infrared_frames: int = 0
     disturbances: tuple[Disturbance, ...] = ()
 
@@ -403,7 +408,7 @@ def _device(options: SimulationOptions, number: int, face: str) -> Device | Ster
     rng = np.random.default_rng([seed, 1, number])
     serial = f"SIM{seed:05d}{number}"
     if options.sensor == "d415" or (options.sensor == "mixed" and face == "sole"):
-        return make_stereo_device(serial, (face,), rng)
+        return make_stereo_device(serial, (face,), rng, options.least_likeness)
     return make_device(
         serial,
         (face,),
