@@ -223,11 +223,11 @@ class _Search:
             if follows:
                 rounds, finest, same, few = _FOLLOWED_ROUNDS, _FOLLOWED, _FOLLOWED_SAME, _FEW
         for _ in range(rounds):
-            roots = support.roots(strain)
-            mpa = self._balanced(mpa, touches, roots, finest if fine else _ROUGH)
+            roots, bone = support.roots(strain), _Bone(self._motions, touches)
+            mpa = self._balanced(mpa, bone, roots, finest if fine else _ROUGH)
             beds = support.sunk(mpa, roots)
             sunk = beds.sum(axis=0)
-            motion = self._onto_motions(touches, self._gap + sunk)
+            motion = bone.motion(self._gap + sunk)
             overlap = np.tensordot(motion, self._motions, 1) - self._gap - sunk
             stays, joins = mpa > -_SLIGHT * mpa.max(), overlap > _SLIGHT * sunk.max()
             after = self._sole & np.where(touches, stays, joins)
@@ -238,30 +238,28 @@ class _Search:
             fine = changed <= _FEW * touches.sum()
         mpa = np.maximum(mpa, 0.0)
         mpa *= self._sums[0] / mpa.sum()
-        self._check_centre(mpa)
+        if not self._is_centred(mpa):
+            if follows:
+                return self.found(start, follows=False)
+            raise InputError(
+                "No pressure on this sole has its centre where the load is; a part of the foot is "
+                "missing in the scan, so scan the whole sole."
+            )
         slope = float(motion[1] / self._length), float(motion[2] / self._length)
         return Pressed(mpa, support.layers_sunk(beds), strain, float(motion[0]), slope)
 
     def _balanced(
-        self, mpa: FloatArray, touches: BoolArray, roots: FloatArray, left_over: float
+        self, mpa: FloatArray, bone: _Bone, roots: FloatArray, left_over: float
     ) -> FloatArray:
         """Return the pressures under which what touches lies together; some may be negative.
 
         Every step of the conjugate gradients keeps load and centre.
         """
-        motions = self._motions * touches
-        inverse = _inverse(motions)
-
-        def without_motion(heights: FloatArray) -> FloatArray:
-            share = inverse @ np.tensordot(motions, heights, 2)
-            return np.asarray(heights - np.tensordot(share, motions, 1))
-
-        mpa = mpa * touches
-        missing = self._sums - np.tensordot(motions, mpa, 2)
-        mpa = mpa + np.tensordot(inverse @ missing, motions, 1)
+        touches = bone.touches
+        mpa = bone.with_sums(mpa * touches, self._sums)
         sunk = self._support.sunk(mpa, roots).sum(axis=0) * touches
         least = left_over**2 * _square(sunk)
-        left = without_motion(-self._gap * touches - sunk)
+        left = bone.without_motion(-self._gap * touches - sunk)
         way, size = left, _square(left)
         for _ in range(_STEPS):
             if size <= least:
@@ -269,28 +267,43 @@ class _Search:
             answer = self._support.sunk(way, roots).sum(axis=0) * touches
             along = size / float((way * answer).sum())
             mpa = mpa + along * way
-            left = without_motion(left - along * answer)
+            left = bone.without_motion(left - along * answer)
             before, size = size, _square(left)
             way = left + (size / before) * way
-        return np.asarray(mpa)
+        return mpa
 
-    def _onto_motions(self, touches: BoolArray, heights: FloatArray) -> FloatArray:
-        """(3,) sinking and tilts at which the bone lies on heights that touch."""
-        motions = self._motions * touches
-        return np.asarray(_inverse(motions) @ np.tensordot(motions, heights, 2))
-
-    def _check_centre(self, mpa: FloatArray) -> None:
+    def _is_centred(self, mpa: FloatArray) -> bool:
         off = np.tensordot(self._motions[1:], mpa, 2) / mpa.sum() * self._length
-        if not np.abs(off).max() < self._support.step_mm:
-            raise InputError(
-                "No pressure on this sole has its centre where the load is; a part of the foot is "
-                "missing in the scan, so scan the whole sole."
-            )
+        return bool(np.abs(off).max() < self._support.step_mm)
 
 
-def _inverse(motions: FloatArray) -> FloatArray:
-    gram = np.tensordot(motions, motions, ((1, 2), (1, 2)))
-    return np.asarray(np.linalg.pinv(gram, hermitian=True))
+class _Bone:
+    """The sinking and the two tilts of a rigid bone, where it touches.
+
+    Parameters
+    ----------
+    motions : (3, ny, nx) float64
+        How far each node comes down by one of sinking and tilts.
+    touches
+    """
+
+    def __init__(self, motions: FloatArray, touches: BoolArray) -> None:
+        self.touches = touches
+        self._motions = (motions * touches).reshape(len(motions), -1)
+        self._inverse = np.linalg.pinv(self._motions @ self._motions.T, hermitian=True)
+
+    def motion(self, heights: FloatArray) -> FloatArray:
+        """(3,) at which the bone lies on heights (ny, nx) best."""
+        return np.asarray(self._inverse @ (self._motions @ heights.ravel()))
+
+    def without_motion(self, heights: FloatArray) -> FloatArray:
+        """(ny, nx) what is left of heights beside a motion of the bone."""
+        return np.asarray(heights - (self.motion(heights) @ self._motions).reshape(heights.shape))
+
+    def with_sums(self, mpa: FloatArray, sums: FloatArray) -> FloatArray:
+        """(ny, nx) the nearest pressures that have sums (3,) over the motions."""
+        missing = sums - self._motions @ mpa.ravel()
+        return np.asarray(mpa + (self._inverse @ missing @ self._motions).reshape(mpa.shape))
 
 
 def _square(values: FloatArray) -> float:
