@@ -96,7 +96,7 @@ def _dragged(app: Application) -> _Dragged:
     app.window.actions_by_key["tool_pelott"].trigger()
     hand = app.stage.foot.scene
     centre = np.array([*pad.centre_mm, 0.0])
-    ways = [np.array([8 * np.sin(n / 8), 8 * np.cos(n / 8) - 8, 0.0]) for n in range(MOVES + 1)]
+    ways = [np.array([8 * np.sin(n / 10), 8 * np.cos(n / 10) - 8, 0.0]) for n in range(MOVES + 1)]
     places = [
         QPoint(*np.rint(xy).astype(int).tolist()) for xy in hand.look.pixels_of(centre + ways)
     ]
@@ -123,6 +123,7 @@ def _dragged(app: Application) -> _Dragged:
 
     QTest.mousePress(hand.surface, Qt.MouseButton.LeftButton, pos=places[0])
     for place in places[1:]:
+        QApplication.processEvents()  # so that the move is handled at once
         before, now, drawn = app.case.shown.design, _clocks(), np.zeros(2)
         load.changed.connect(note_map)
         QTest.mouseMove(hand.surface, place)
