@@ -48,6 +48,9 @@ _PULL_MM = 12.0
 """Distance from its usual position at which a frayed end must lie one millimetre farther out."""
 _LEAST_POINTS = 6
 _FRAYED_MM = (1.5, 3.0)  # from the boundary of an open surface, where it counts in part
+_RIM_MM, _CUT_SHARE, _TURNED_BACK = 4.0, 0.3, 0.985
+"""Of a scan that is cut off at an end: how near to its border the end is, on which share of it, and
+against which cosine its surface does not face the end's direction yet."""
 _FRONT_MM = 6.0  # least way from the side of a foot to the end of the scan
 _EDGE_MM = (-1.0, 1.0)  # beside the edge of a region, where the surface counts in part
 _PATCH_MM = 4.0
@@ -85,6 +88,8 @@ class LowFoot:
         millimetre or two off; before the toes it is all that was measured of their tips.
     inner
         Without these borders.
+    rim
+        What lies beside them.
     touches
         Contour constraints, if there are any.
     """
@@ -92,6 +97,7 @@ class LowFoot:
     foot: Foot
     whole: Border
     inner: Border
+    rim: Border
     touches: ContourConstraints | None
 
     @staticmethod
@@ -103,8 +109,9 @@ class LowFoot:
         inner = whole.weighted(ramp(even.rim_mm[low], _FRAYED_MM))
         if len(inner.points) < len(whole.points) / 2:
             inner = whole
+        rim = whole.part(even.rim_mm[low] < _RIM_MM)
         touches = foot.mesh.touches
-        return LowFoot(foot, whole, inner, None if touches is None else _low_touches(touches))
+        return LowFoot(foot, whole, inner, rim, None if touches is None else _low_touches(touches))
 
 
 class SoleSurface:
@@ -123,6 +130,7 @@ class SoleSurface:
         self._insole2sole = rotation_about(np.array([0.0, 0.0, 1.0]), yaw_deg) @ mirror
         self._inner = low.inner.turned(self._insole2sole)
         self._whole = low.whole.turned(self._insole2sole)
+        self._rim = low.rim.turned(self._insole2sole)
         self.back_mm = -reach(-self._inner.points[:, 1], self._inner.area_mm2)
         self.length_mm = low.foot.length_mm
         self._touches = None if low.touches is None else self._turned(low.touches)
@@ -186,14 +194,15 @@ class SoleSurface:
         End
             mm, sole frame.
         """
-        inside_mm = (self._shares - shares[0]).clip(max=shares[1] - self._shares) * self.length_mm
-        region = self._inner.weighted(ramp(inside_mm, _EDGE_MM))
+        region = self._between(self._inner, shares)
         region = region if len(region.points) else self._inner
         usual = None
         if usual_share is not None:
             usual = float(direction[0]) * (self.back_mm + usual_share * self.length_mm)
         towards = np.array([*direction, 0.0])
         end, whole = _end(region, towards, _BORDER_RADIUS_MM, usual)
+        if self._touches is None and self._is_cut(towards, shares):
+            end = replace(end, confidence=min(end.confidence, _CONTINUED))
         if usual_share is None or border is None:
             return end
         if self._front_mm - end.point[1] < _FRONT_MM:
@@ -214,10 +223,34 @@ class SoleSurface:
     def _front_mm(self) -> float:
         return reach(self._inner.points[:, 1], self._inner.area_mm2)
 
+    def _is_cut(self, direction: FloatArray, shares: tuple[float, float]) -> bool:
+        """Return whether the scan ends at an end before its border turns back.
+
+        Another scanner's file may be cropped there; how much of the foot is missing, nothing tells.
+        """
+        whole, rim = (self._between(part, shares) for part in (self._whole, self._rim))
+        if not len(rim.points):
+            return False
+        top_mm = reach(whole.points @ direction, whole.area_mm2) - _END_DEPTH_MM
+        near, beside = whole.points @ direction > top_mm, rim.points @ direction > top_mm
+        if rim.area_mm2[beside].sum() < _CUT_SHARE * whole.area_mm2[near].sum():
+            return False
+        facing = rim.normals[beside] @ direction
+        return weighted_quantile(facing, rim.area_mm2[beside], 0.9) < _TURNED_BACK
+
+    def _between(self, part: Border, shares: tuple[float, float]) -> Border:
+        """Return what lies between shares of the length, at their edges in part."""
+        own = self._shares_of(part)
+        inside_mm = (own - shares[0]).clip(max=shares[1] - own) * self.length_mm
+        return part.weighted(ramp(inside_mm, _EDGE_MM))
+
     @property
     def _shares(self) -> FloatArray:
         """(n,) y of the inner points in shares of the length, from the heel."""
-        return np.asarray((self._inner.points[:, 1] - self.back_mm) / self.length_mm)
+        return self._shares_of(self._inner)
+
+    def _shares_of(self, part: Border) -> FloatArray:
+        return np.asarray((part.points[:, 1] - self.back_mm) / self.length_mm)
 
     def _turned(self, touches: ContourConstraints) -> ContourConstraints:
         turn = self._insole2sole.T

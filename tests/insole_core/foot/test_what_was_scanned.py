@@ -11,7 +11,7 @@ from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measure_table import measure_table, table_csv
-from insole_core.foot.measures import MISSING, NOT_MARKED, measure
+from insole_core.foot.measures import MISSING, NOT_MARKED, doubts, measure
 from insole_core.foot.spread import measure_foot
 from insole_core.foot.tape import tape_length
 from insole_core.geometry.arrays import BoolArray
@@ -133,3 +133,30 @@ def test_a_tape_lies_over_hollows() -> None:
     along = np.linspace(0, 1, 400)
     hollow = ring(along) * (1 - 0.2 * (np.abs(along[:-1] - 0.3) < 0.1))[:, None, None]
     assert tape_length(hollow) == pytest.approx(2 * np.pi * 30, abs=4)
+
+
+CROPPED = {
+    "medial": (0, 1.0, {"ball_width", "ball_width_across", "ball_length", "ball_girth"}),
+    "lateral": (0, -1.0, {"ball_width", "ball_width_across", "ball_girth"}),
+    "behind": (1, -1.0, {"foot_length", "ball_length"}),
+}
+"""Axis and end of the lower foot that is missing, and measures that lean on it."""
+
+
+@pytest.mark.parametrize("cut_mm", [1.0, 6.0, 12.0])
+@pytest.mark.parametrize("end", CROPPED)
+def test_an_end_that_was_cropped_is_told(left_mesh: TriangleMesh, end: str, cut_mm: float) -> None:
+    axis, sign, leaning = CROPPED[end]
+    along = sign * left_mesh.vertices[:, axis]
+    most = along[left_mesh.vertices[:, 2] < 45].max()
+    foot = place_foot(left_mesh.part(along < most - cut_mm), Side.LEFT, frame="reference")
+    found = find_landmarks(foot)
+    told = set(doubts(found)) | {name for name, value in measure(foot, found).items() if not value}
+    assert leaning <= told
+
+
+def test_no_end_of_a_whole_foot_or_of_one_cut_elsewhere_is_doubted(left_mesh: TriangleMesh) -> None:
+    x, y, z = x_y_z(left_mesh)
+    for kept in (z < 1000, z < 60, (np.hypot(x - 10, y) > 20) | (z > 40)):
+        foot = place_foot(left_mesh.part(kept), Side.LEFT, frame="reference")
+        assert not {"foot_length", "ball_width", "heel_width"} & set(doubts(find_landmarks(foot)))
