@@ -129,6 +129,11 @@ class ScanSource:
     place: CapturePlace | None = None
     weight_bearing: str = "none"
 
+    @property
+    def said_weight(self) -> str | None:
+        """How much weight was on the foot, one of `WEIGHT_BEARING`; None where nobody says."""
+        return self.weight_bearing if self.kind == "session" else None
+
     def with_needed_place(self) -> ScanSource:
         """Return the source as the record keeps it, which holds the scan itself as a capture.
 

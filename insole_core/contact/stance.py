@@ -44,20 +44,26 @@ _WITH_WEIGHT = Message(
     "The foot was recorded with a part of the weight on it: the sole is flatter than without it, "
     "and reliefs are understated."
 )
+_NOT_SAID = Message(
+    "Nobody has said whether weight was on the foot as it was scanned: with it the sole is flatter "
+    "than without it, and reliefs are understated."
+)
 _FLATTER = Message(
     "The imprint or cast was taken under a part of the weight: the sole is flatter than without "
     "it, and reliefs are understated."
 )
 
 
-def notes_of_weight(weight_bearing: str) -> tuple[Message, ...]:
+def notes_of_weight(weight_bearing: str | None) -> tuple[Message, ...]:
     """Return what has to be told of the weight with which a foot was recorded.
 
     Parameters
     ----------
     weight_bearing
-        One of `WEIGHT_BEARING`.
+        One of `WEIGHT_BEARING`; None where nobody has said it.
     """
+    if weight_bearing is None:
+        return (_NOT_SAID,)
     return (_WITH_WEIGHT,) if weight_bearing == "semi" else ()
 
 

@@ -232,9 +232,8 @@ def _captured(source: ScanSource | None) -> str:
 
 def _weight(source: ScanSource | None) -> str:
     """Return how much weight was on a foot, as far as a session says."""
-    if source is None or source.kind != "session":
-        return Message("not known")
-    return _WEIGHTS[source.weight_bearing]
+    said = None if source is None else source.said_weight
+    return Message("not known") if said is None else _WEIGHTS[said]
 
 
 def write_foot_sheet(

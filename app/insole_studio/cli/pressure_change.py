@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from insole_core.contact.fit import Fitted
     from insole_core.foot.foot import Foot
     from insole_core.insole.prescription.design import InsoleDesign
+    from insole_core.messages import Message
 
     Designs: TypeAlias = tuple[InsoleDesign, InsoleDesign | None]
 
@@ -88,10 +89,11 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     with Transaction() as outputs:
         report_file = outputs.file(arguments.report)
         new, old = _designs(arguments)
-        notes = _notes_of_session(arguments.foot)
+        of_weight = _notes_of_weight(arguments.foot)
         reading = progress.part(0.0, 0.7)
         foot = foot_argument.read_foot(arguments.foot, new.side, arguments, reading)
-        notes += [*_loading(foot, arguments).sole.notes, *_shoe(arguments).assumed(new, old)]
+        of_sole = _loading(foot, arguments).sole.notes or of_weight
+        notes = [*of_sole, *_shoe(arguments).assumed(new, old)]
         fitted = _fitted(foot, arguments, progress.part(0.7, 0.8))
         told = _changed(foot, (new, old), fitted, arguments, progress.part(0.8, 1.0))
         for note in notes:
@@ -140,8 +142,8 @@ def _designs(arguments: argparse.Namespace) -> Designs:
     return new, old
 
 
-def _notes_of_session(path: Path) -> list[str]:
-    """Return what a session says of the weight on the foot.
+def _notes_of_weight(path: Path) -> tuple[Message, ...]:
+    """Return what has to be told of the weight on the foot.
 
     Raises
     ------
@@ -153,12 +155,12 @@ def _notes_of_session(path: Path) -> list[str]:
     from insole_core.scans.scan_folder import holds_scans
 
     if not is_session(path) or holds_scans(path):
-        return []
+        return notes_of_weight(None)
     condition = read_session(path).manifest.capture_condition
     if condition is None:
-        return []
+        return notes_of_weight(None)
     check_weight(condition.weight_bearing)
-    return [str(note) for note in notes_of_weight(condition.weight_bearing)]
+    return notes_of_weight(condition.weight_bearing)
 
 
 def _shoe(arguments: argparse.Namespace) -> Shoe:

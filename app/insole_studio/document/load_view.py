@@ -283,8 +283,9 @@ class LoadView(QObject):
         record = self._case.record.current
         of_foot: tuple[Message, ...] = ()
         if self.change is not None and record is not None:
-            of_weight = notes_of_weight(record.source.weight_bearing)
-            of_foot = *self.change.sole.notes, *of_weight
+            of_sole = self.change.sole.notes
+            of_weight = () if of_sole else notes_of_weight(record.source.said_weight)
+            of_foot = *of_sole, *of_weight
         shoe = Shoe(self._materials.table)
         return *of_foot, *shoe.assumed(self._case.shown.design, self._old_design())
 

@@ -2076,6 +2076,10 @@
             <translation>Inget föremål av slaget {what} på ungefär {diameter_mm:.0f} mm hittades i mätvolymen; lägg det mitt i volymen och kontrollera uppgifterna om det.</translation>
         </message>
         <message>
+            <source>Nobody has said whether weight was on the foot as it was scanned: with it the sole is flatter than without it, and reliefs are understated.</source>
+            <translation>Ingen har sagt om foten var belastad när den skannades: då är sulan plattare än utan belastning, och avlastningarna blir för små.</translation>
+        </message>
+        <message>
             <source>Nobody has the pseudonym {pseudonym}; it stands on the patient's page and on papers for the shop.</source>
             <translation>Ingen har pseudonymen {pseudonym}; den står på patientens sida och på papper till verkstaden.</translation>
         </message>

@@ -360,6 +360,7 @@ def test_layers_give_way_in_series_each_by_its_own_material(sole: Sole) -> None:
 
 def test_a_foot_that_was_recorded_with_weight_is_told_or_refused() -> None:
     assert notes_of_weight("none") == ()
+    assert "Nobody has said" in notes_of_weight(None)[0]
     assert "part of the weight" in notes_of_weight("semi")[0]
     with pytest.raises(InputError, match="without weight"):
         check_weight("full")
