@@ -41,9 +41,15 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def returned_memory() -> Iterator[None]:
-    """Hand back what a module has freed: commands of the product keep it in the heap."""
+def returned_memory(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Hand back what a module has freed, and made once for all its tests.
+
+    Commands of the product keep what is freed in the heap.
+    """
     yield
+    for made_once in vars(request.module).values():
+        if getattr(made_once, "__module__", "") == request.module.__name__:
+            getattr(made_once, "cache_clear", int)()
     return_freed_memory()
 
 

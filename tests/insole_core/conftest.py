@@ -43,30 +43,62 @@ def right_foot(right_mesh: TriangleMesh) -> Foot:
 
 
 @pytest.fixture(scope="session")
-def scanned_mesh(shared_data: Path) -> Callable[[str], TriangleMesh]:
+def read_once() -> Callable[[Path], TriangleMesh]:
     """Read each scan of the reference data once."""
-    return cache(lambda file: read_mesh(shared_data / "feet" / file).mesh)
+    return cache(lambda path: read_mesh(path).mesh)
 
 
 @pytest.fixture(scope="session")
-def placed_scan(scanned_mesh: Callable[[str], TriangleMesh]) -> Callable[[str, Side], Foot]:
+def placed_once(read_once: Callable[[Path], TriangleMesh]) -> Callable[[Path, Side, str], Foot]:
     """Place each scan of the reference data once."""
-    return cache(lambda file, side: place_foot(scanned_mesh(file), side, frame="unknown"))
-
-
-@pytest.fixture(scope="session")
-def true_mesh(shared_data: Path) -> Callable[[str], TriangleMesh]:
-    """Read the true surface of each session of the reference data once."""
-    return cache(lambda session: read_mesh(shared_data / "sessions" / session / "truth.ply").mesh)
-
-
-@pytest.fixture(scope="session")
-def true_foot(true_mesh: Callable[[str], TriangleMesh]) -> Callable[[str, Side], Foot]:
-    """Place the true foot of each session of the reference data once."""
-    return cache(lambda session, side: place_foot(true_mesh(session), side, frame="reference"))
+    return cache(
+        lambda path, side, frame: bare_foot(place_foot(bare(read_once(path)), side, frame=frame))
+    )
 
 
 @pytest.fixture(scope="module")
-def real_foot(placed_scan: Callable[[str, Side], Foot]) -> Callable[[str, Side], Foot]:
-    """Give the foot of a reference scan; what is derived from it goes with the module."""
-    return cache(lambda file, side: replace(placed_scan(file, side)))
+def scanned_mesh(
+    shared_data: Path, read_once: Callable[[Path], TriangleMesh]
+) -> Callable[[str], TriangleMesh]:
+    """Give a reference scan; what is derived from it goes with the module."""
+    return cache(lambda file: bare(read_once(shared_data / "feet" / file)))
+
+
+@pytest.fixture(scope="module")
+def true_mesh(
+    shared_data: Path, read_once: Callable[[Path], TriangleMesh]
+) -> Callable[[str], TriangleMesh]:
+    """Give the true surface of a session of the reference data, in the same way."""
+    return cache(lambda session: bare(read_once(shared_data / "sessions" / session / "truth.ply")))
+
+
+@pytest.fixture(scope="module")
+def real_foot(
+    shared_data: Path, placed_once: Callable[[Path, Side, str], Foot]
+) -> Callable[[str, Side], Foot]:
+    """Give the foot of a reference scan, in the same way."""
+    return cache(
+        lambda file, side: bare_foot(placed_once(shared_data / "feet" / file, side, "unknown"))
+    )
+
+
+@pytest.fixture(scope="module")
+def true_foot(
+    shared_data: Path, placed_once: Callable[[Path, Side, str], Foot]
+) -> Callable[[str, Side], Foot]:
+    """Give the true foot of a session of the reference data, in the same way."""
+
+    def give(session: str, side: Side) -> Foot:
+        path = shared_data / "sessions" / session / "truth.ply"
+        return bare_foot(placed_once(path, side, "reference"))
+
+    return cache(give)
+
+
+def bare(mesh: TriangleMesh) -> TriangleMesh:
+    """Return the same surface with nothing derived from it: that takes ten times its memory."""
+    return replace(mesh)
+
+
+def bare_foot(foot: Foot) -> Foot:
+    return replace(foot, mesh=bare(foot.mesh))

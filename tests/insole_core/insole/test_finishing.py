@@ -159,8 +159,8 @@ def test_the_border_runs_out_where_the_toe_line_ends(seed: int):
 
 @pytest.mark.shared
 @pytest.mark.parametrize("device", ["eva-full-length", "sport-full-length"])
-def test_a_foot_with_high_flanks_has_no_knob_beside_its_toes(placed_scan, device: str):
-    foot = placed_scan("plantar_scan.obj", Side.RIGHT)
+def test_a_foot_with_high_flanks_has_no_knob_beside_its_toes(real_foot, device: str):
+    foot = real_foot("plantar_scan.obj", Side.RIGHT)
     design = apply_device(read_device(DEVICES / f"{device}.json"), InsoleDesign(Side.RIGHT))
     assert measured_form(foot, design).toe_bump_mm < ASKED["toe_bump_mm"]
 

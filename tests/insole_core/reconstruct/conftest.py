@@ -20,7 +20,7 @@ from insole_core.recording.session import Session, View
 KEPT_VIEWS = 6
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def remembered() -> dict[str, Callable[[View], MeasuredView]]:
     return {
         "fused": lru_cache(KEPT_VIEWS)(measure_view),
@@ -41,12 +41,12 @@ def measured_once(remembered: dict[str, Callable[[View], MeasuredView]]) -> Iter
         yield
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def session() -> Session:
     return read_session(Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip")
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def fused(session: Session) -> Reconstruction:
     """The foot of the small session by the method of the product."""
     return reconstruct(session)

@@ -49,13 +49,6 @@ def pattern_of(serial: str, seed: int) -> InfraredReference:
     return InfraredReference(pattern, 0, FINE, correction, ReferenceRecord(serial))
 
 
-@pytest.fixture(scope="module", autouse=True)
-def forgotten_patterns() -> Iterator[None]:
-    """Let the patterns go with the module: they are 30 MB each."""
-    yield
-    pattern_of.cache_clear()
-
-
 def picture_of(view: View, truth: TriangleMesh, pose: FloatArray, seed: int) -> RawArray:
     """What the infrared camera of a view sees of the true foot, with speckle."""
     rays = view.sensor.depth_camera.pixel_rays().reshape(-1, 2)

@@ -8,7 +8,7 @@ import pytest
 from found_once import SharedResults, share_results
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def kept() -> SharedResults:
     return SharedResults()
 
