@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from stations import keep_quickly, migrated_database
 
+from benchmarks._measure import resident_mb
 from insole_core.cases.scan_source import ScanSource
 from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
@@ -44,6 +45,8 @@ from tests.patience import PATIENCE_MS
 
 LENGTH_MM = 250.0
 COARSE_MM = 2.0
+MOST_MB = 1000.0
+"""Of a process between two modules, half of it what it imports."""
 MAKE_FILE = open_module._make_file
 
 
@@ -69,10 +72,13 @@ def kept() -> SharedResults:
 
 @pytest.fixture(scope="module", autouse=True)
 def same_results(kept: SharedResults) -> Iterator[None]:
-    """Let the core find and make the same things once for all tests."""
+    """Let the core find and make the same things once for all tests, until they take too much."""
     with pytest.MonkeyPatch.context() as patch:
         share_results(kept, patch, [(model_presenter, "contour_lines")], [export_actions])
         yield
+    if resident_mb() > MOST_MB:
+        kept.forget()
+        plantar_foot.cache_clear()
 
 
 @pytest.fixture(scope="session", autouse=True)
