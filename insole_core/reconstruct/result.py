@@ -61,6 +61,8 @@ class ViewResult:
         Number of depth frames, and of those left out because something moved in them.
     family
         Of its sensor; None for a view that is not used.
+    depth_scale
+        Measured over true depth, by which the view was corrected.
     """
 
     name: str
@@ -74,6 +76,7 @@ class ViewResult:
     frames: int = 0
     left_out: int = 0
     family: SensorFamily | None = None
+    depth_scale: float = 1.0
 
     @property
     def markers_found(self) -> int:
@@ -117,6 +120,7 @@ def placed_result(name: str, registration: Registration) -> ViewResult:
         fixes=registration.fixes,
         reprojection_px=None if pose is None else pose.rms_px,
         displacement_mm=registration.displacement_mm,
+        depth_scale=registration.depth_scale,
     )
 
 

@@ -17,9 +17,11 @@ from insole_core.evaluation.chain import (
 )
 from insole_core.evaluation.chain_section import Verdict, judge
 from insole_core.evaluation.known_object import KnownObject, KnownPlaced
+from insole_core.evaluation.printed_markers import check_print
 from insole_core.geometry.side import BOTH
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
+from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.reconstruct.result import Reconstruction
 from insole_core.workflows.calibration.correction_choice import CorrectionChoices, Decision
 from insole_core.workflows.make_foot import (
@@ -140,7 +142,13 @@ def _common_serials(sessions: Sequence[MeasuredSession]) -> tuple[str, ...]:
 
 
 def _among_markers(opened: MeasuredSession, known: KnownObject) -> MeasuredSession:
-    """Return a session with the markers of the object itself, where it carries any, as printed."""
+    """Return a session with the markers of the object itself, where it carries any, as printed.
+
+    Raises
+    ------
+    CalibrationError
+        When it was captured among others, or the print is another one than was told.
+    """
     if not isinstance(known, KnownPlaced):
         return opened
     manifest = opened.session.manifest
@@ -153,7 +161,10 @@ def _among_markers(opened: MeasuredSession, known: KnownObject) -> MeasuredSessi
             needed=known.system.name,
         )
     printed = replace(manifest, reference_system=known.system)
-    return replace(opened, session=replace(opened.session, manifest=printed))
+    among = replace(opened, session=replace(opened.session, manifest=printed))
+    views = [among.placed(view.name, DEFAULT_LIMITS) for view in among.session.views]
+    check_print(known, views, opened.path.name)
+    return among
 
 
 def _captured(opened: MeasuredSession, progress: Progress) -> Capture:

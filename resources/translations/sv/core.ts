@@ -10296,6 +10296,10 @@
             <translation>{text} ligger inte mellan {first} och {last}; kontrollera året.</translation>
         </message>
         <message>
+            <source>{text}: by its markers the print in {capture} differs from that by x {x:+.1f} %, y {y:+.1f} %, z {z:+.1f} % and {skew:.1f}° of skew; measure the bar that was printed with it again, and name the readings with --callipers, or, if they are right, calibrate the sensors.</source>
+            <translation>{text}: att döma av markörerna avviker utskriften i {capture} från det med x {x:+.1f} %, y {y:+.1f} %, z {z:+.1f} % och {skew:.1f}° skevhet; mät staven som skrevs ut med den igen, och ange avläsningarna med --callipers, eller kalibrera sensorerna om de stämmer.</translation>
+        </message>
+        <message>
             <source>{text}: what was captured is {percent:+.1f} % off that size; measure the bar that was printed with it again, and name the readings with --callipers.</source>
             <translation>{text}: det som spelades in avviker {percent:+.1f} % från den storleken; mät staven som skrevs ut med den igen, och ange avläsningarna med --callipers.</translation>
         </message>

@@ -17,8 +17,13 @@ from insole_core.calibration.markers.reference_file import (
 )
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.printed_body import PrintedBar
+from insole_core.evaluation.printed_markers import check_print
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.transforms import rigid, rotation_about
+from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.reconstruct.markers.marker_observation import MarkerObservation
+from insole_core.reconstruct.result import ViewResult
+from insole_core.recording.session import ReferenceSystem
 from insole_core.recording.writer import write_session
 from insole_core.simulate import SimulationOptions, simulate_session
 from insole_core.simulate.known_bodies import printed_foot
@@ -49,18 +54,23 @@ FORM_SECTIONS_MM2 = {
 """By their height above the lowest point, mm."""
 
 
+def bar_of(sizes: FloatArray, skew_deg: float) -> PrintedBar:
+    """The bar of a print of another size, askew, as callipers read it."""
+    x, y, z = np.array(BAR_MM) * sizes
+    lean = math.radians(skew_deg)
+    corner, along = y * np.array([math.sin(lean), math.cos(lean)]), np.array([x, 0.0])
+    first, second = (float(np.linalg.norm(corner + side)) for side in (along, -along))
+    return PrintedBar(BAR_MM, (x, y, z), (first, second))
+
+
 def readings() -> list[float]:
     """What callipers read of the bar of a print that is too large and askew."""
-    x, y, z = np.array(BAR_MM) * SIZES
-    lean = math.radians(SKEW_DEG)
-    corner = np.array([y * math.sin(lean), y * math.cos(lean)])
-    along = np.array([x, 0.0])
-    return [x, y, z, *(float(np.linalg.norm(corner + side)) for side in (along, -along))]
+    bar = bar_of(SIZES, SKEW_DEG)
+    return [*bar.edges_mm, *bar.diagonals_mm]
 
 
 def misprinted() -> ReferenceFoot:
-    x, y, z, first, second = readings()
-    return reference_foot().printed(PrintedBar(BAR_MM, (x, y, z), (first, second)))
+    return reference_foot().printed(bar_of(SIZES, SKEW_DEG))
 
 
 @pytest.fixture(scope="module")
@@ -184,6 +194,56 @@ def test_a_print_that_nobody_measured_is_told() -> None:
     grown = form.moved(middle + 1.015 * (form.vertices - middle))
     with pytest.raises(CalibrationError, match=r"\+1\.5 % off that size; measure the bar"):
         known_reference_foot(None).find(surface_of(grown))
+
+
+def seen(system: ReferenceSystem, depth_scale: float = 1.0) -> list[ViewResult]:
+    """Markers as three sensors measure them, each from where it believes to stand."""
+    turn = rigid(rotation_about(np.array([0.0, 0.6, 0.8]), 0.5), np.array([1.0, -2.0, 0.5]))
+    views = []
+    for name, face in (("left", "sole"), ("right", "sole"), ("top", "achilles")):
+        fixes = tuple(
+            MarkerObservation(one.id, (0.0, 0.0), tuple(transform(turn, place)), 0.3, used=True)
+            for one in system.markers
+            if one.face == face
+            for place in [np.array(one.position_mm)]
+        )
+        views.append(ViewResult(name, used=True, fixes=fixes, depth_scale=depth_scale))
+    return views
+
+
+@pytest.mark.parametrize(
+    ("sizes", "skew_deg", "told"),
+    [
+        ((1.02, 1.0, 1.0), 0.0, r"x \+2\.\d %, y [+-]0\.0 %"),
+        ((1.0, 1.0, 1.02), 0.0, r"z \+2\.0 % and 0\.0° of skew"),
+        ((1.0, 1.0, 1.0), 1.0, r"and 1\.0° of skew"),
+        ((1.0, 1.0, 1.0), -0.5, r"and 0\.5° of skew"),
+    ],
+)
+def test_a_print_of_other_proportions_is_told_by_its_markers(
+    sizes: tuple[float, float, float], skew_deg: float, told: str
+) -> None:
+    printed = reference_foot().printed(bar_of(np.array(sizes), skew_deg))
+    with pytest.raises(CalibrationError, match=told):
+        check_print(known_reference_foot(None), seen(printed.system), "print")
+
+
+def test_a_print_of_another_size_is_told_by_the_depth_of_its_markers() -> None:
+    """Whether the print or the depth is wrong, only the readings of the bar can say."""
+    views = seen(reference_foot().system, depth_scale=1.02)
+    with pytest.raises(CalibrationError, match=r"x \+2\.\d %, y \+2\.\d %, z \+2\.\d %"):
+        check_print(known_reference_foot(None), views, "print")
+    check_print(known_reference_foot([*BAR_MM, *[math.hypot(*BAR_MM[:2])] * 2]), views, "print")
+
+
+def test_a_print_that_is_as_told_is_used() -> None:
+    check_print(known_reference_foot(None), seen(reference_foot().system), "print")
+    check_print(known_reference_foot(readings()), seen(misprinted().system), "print")
+
+
+def test_readings_that_are_left_out_are_missed(session: Path, last_line) -> None:
+    assert run(["evaluate", "chain", str(session), "--body", "reference-foot"]) == 1
+    assert "by its markers the print in print differs from that by x +" in last_line()
 
 
 def test_another_body_is_told_by_its_markers(small_session: Path, last_line) -> None:
