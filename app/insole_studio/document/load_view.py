@@ -374,7 +374,11 @@ class LoadView(QObject):
             assumed = Assumptions() if fitted is None else fitted.assumed
             start = None if before is None else before.change
             change = changed(task.loading, old, new, assumed, start)
-            return _Found(change, task, fitted, task.changed_beside(builder, change))
+            if before is not None and before.task.asks_as(task):
+                beside = before.beside
+            else:
+                beside = task.changed_beside(builder, change)
+            return _Found(change, task, fitted, beside)
 
         def take(found: _Found) -> None:
             self._is_computing = False
@@ -398,7 +402,7 @@ class LoadView(QObject):
             self._find_limits(found)
 
     def _find_limits(self, found: _Found) -> None:
-        task = found.task
+        task, beside = found.task, self.limits_beside
 
         def told_of(change: Change, progress: Progress) -> PressureChange:
             return pressure_change(
@@ -411,8 +415,8 @@ class LoadView(QObject):
             )
 
         def compute(progress: Progress) -> tuple[PressureChange, PressureChange | None]:
-            if found.beside is None:
-                return told_of(found.change, progress), None
+            if found.beside is None or beside is not None:
+                return told_of(found.change, progress), beside
             own = told_of(found.change, progress.part(0.0, 0.5))
             return own, told_of(found.beside, progress.part(0.5, 1.0))
 
@@ -478,7 +482,10 @@ class LoadView(QObject):
         self._show(None)
 
     def _show(self, found: _Found | None, problem: str = "") -> None:
-        self.limits, self.limits_beside, self._problem = None, None, problem
+        self.limits, self._problem = None, problem
+        beside = None if found is None else found.beside
+        if self.limits_beside is not None and self.limits_beside.change is not beside:
+            self.limits_beside = None  # else they hold on: it is not what is being drawn
         self.curve, self.dose, self._limited = None, None, None
         self._take(found)
         self.told.emit()

@@ -184,7 +184,11 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
         assert np.nanmin(percent) < -5
     app.case.preview(_higher(second).design)
     assert load.beside(first.design) is beside  # stays while the other one is drawn
+    assert {row.cells[1] for row in dialog.table.rows} == {"…"}
+    assert "%" in {row.key: row.cells for row in dialog.table.rows}["heel"][4]
     app.case.end_preview()
+    settle()
+    assert load.beside(first.design) is beside
     QTest.mouseClick(dialog.both, LEFT, pos=QPoint(8, dialog.both.height() // 2))
     settle()
     assert load.beside(first.design) is None
