@@ -6,7 +6,7 @@ import io
 import math
 import tokenize
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from typing import Any
 
 import numpy as np
@@ -42,7 +42,9 @@ def pack_arrays(arrays: Mapping[str, npt.NDArray[Any]]) -> bytes:
     return packed.getvalue()
 
 
-def read_arrays(name: str, content: bytes, most_bytes: int) -> dict[str, npt.NDArray[Any]]:
+def read_arrays(
+    name: str, content: bytes, most_bytes: int, only: Container[str] | None = None
+) -> dict[str, npt.NDArray[Any]]:
     """Read the arrays of an .npz file: numbers, booleans and text.
 
     Parameters
@@ -51,6 +53,8 @@ def read_arrays(name: str, content: bytes, most_bytes: int) -> dict[str, npt.NDA
         Of the file, for messages.
     most_bytes
         All arrays together have no more.
+    only
+        Names of the arrays to unpack; all by default.
 
     Raises
     ------
@@ -65,9 +69,11 @@ def read_arrays(name: str, content: bytes, most_bytes: int) -> dict[str, npt.NDA
             path=name,
             limit_mb=most_bytes // 2**20,
         )
+    members = {member.removesuffix(_SUFFIX): member for member in archive.names}
     return {
-        member.removesuffix(_SUFFIX): _array(name, member, archive.read(member, most_bytes))
-        for member in archive.names
+        key: _array(name, member, archive.read(member, most_bytes))
+        for key, member in members.items()
+        if only is None or key in only
     }
 
 

@@ -26,6 +26,8 @@ GREATEST = 1023
 MOST_SHIFT_PX = 20.0
 USUAL_SHIFT_PX = (4.8, 3.9)
 """Of the pictures that a Kinect sends against its depth: half of its correlation window."""
+_RECORD = "reference"
+"""Name of the record among the arrays of a pattern's file."""
 _ROWS, _COLUMNS = 480, 640
 _MOST_BYTES = 64 * 2**20
 _MOST_FINE, _MOST_PX = 16, 1024
@@ -34,7 +36,6 @@ _BLACK = 20
 """Number (of 1023) that one pixel in a hundred exceeds, also where the foot fills little."""
 _STEPS = 4
 """A correction changes by far less than a raw unit over a raw unit."""
-
 
 @dataclass(frozen=True)
 class ReferenceRecord:
@@ -133,7 +134,7 @@ class InfraredReference:
             "pattern": self.pattern.astype(np.float16),
             "first_px": np.array(self.first_px),
             "fine": np.array(self.fine),
-            "reference": np.array(json.dumps(asdict(self.record))),
+            _RECORD: np.array(json.dumps(asdict(self.record))),
             **self.correction.arrays(),
         }
         return pack_arrays(arrays)
@@ -216,6 +217,21 @@ def load_reference(path: Path) -> InfraredReference:
     return parse_reference(path.name, read_given(path, _MOST_BYTES))
 
 
+def load_record(path: Path) -> ReferenceRecord:
+    """Read where a pattern comes from, without the pattern itself.
+
+    Raises
+    ------
+    InputError
+        When the file is missing, damaged, or no reference pattern.
+    """
+    content = read_given(path, _MOST_BYTES)
+    arrays = read_arrays(path.name, content, _MOST_BYTES, only=(_RECORD,))
+    if _RECORD not in arrays:
+        raise _unreadable(path.name)
+    return _record(path.name, str(arrays[_RECORD]))
+
+
 def parse_reference(name: str, content: bytes) -> InfraredReference:
     """Read the bytes of a reference pattern.
 
@@ -229,13 +245,10 @@ def parse_reference(name: str, content: bytes) -> InfraredReference:
     InputError
         When it is damaged, no reference pattern, or of a newer version.
     """
-    unreadable = InputError(
-        "{name} holds no readable infrared reference pattern; make it again by calibrate infrared.",
-        name=name,
-    )
+    unreadable = _unreadable(name)
     try:
         arrays = read_arrays(name, content, _MOST_BYTES)
-        record = _record(name, str(arrays["reference"]))
+        record = _record(name, str(arrays[_RECORD]))
         correction = parse_correction(name, content)
         pattern, first, fine = (arrays[key] for key in ("pattern", "first_px", "fine"))
     except (InputError, KeyError) as error:
@@ -283,6 +296,13 @@ def check_owner(name: str, reference: InfraredReference, serial: str) -> None:
             found=reference.record.serial,
             serial=serial,
         )
+
+
+def _unreadable(name: str) -> InputError:
+    return InputError(
+        "{name} holds no readable infrared reference pattern; make it again by calibrate infrared.",
+        name=name,
+    )
 
 
 def _record(name: str, text: str) -> ReferenceRecord:

@@ -19,6 +19,7 @@ from insole_core.recording.sensor_folder import REFERENCE_FILE
 from insole_core.regular_file import read_regular
 from insole_core.sensing.sensor import CalibrationRecord
 from insole_core.strict_json import MOST_BYTES
+from insole_core.workflows.calibration.infrared_steps import PATTERN
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_core.workflows.calibration.steps import StepResult
 
@@ -122,6 +123,8 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
 def step_date(store: SensorStore, serial: str, key: str) -> str:
     """Return the date (ISO 8601) a step was last done, from its report; empty when it never was.
 
+    The pattern of dots, which is also kept without a report, tells its date itself.
+
     Parameters
     ----------
     key
@@ -132,6 +135,8 @@ def step_date(store: SensorStore, serial: str, key: str) -> str:
     UsageError
         When the serial number is not one.
     """
+    if key == PATTERN:
+        return store.reference_date(serial)[:10]
     path = store.folder_of(serial) / f"{key}.json"
     try:
         values = json.loads(read_regular(path, MOST_BYTES))

@@ -22,7 +22,7 @@ from insole_core.recording.sensor_folder import (
     write_sensor,
 )
 from insole_core.sensing.family import DIRECT_DEPTH
-from insole_core.sensing.infrared_reference import InfraredReference, load_reference
+from insole_core.sensing.infrared_reference import InfraredReference, load_record, load_reference
 from insole_core.sensing.sensor import Sensor
 
 BEFORE = "before"
@@ -215,6 +215,21 @@ class SensorStore:
         if not self.has_reference(serial):
             return None
         return load_reference(self.folder_of(serial) / REFERENCE_FILE)
+
+    def reference_date(self, serial: str) -> str:
+        """Return when the kept pattern of dots was learnt, ISO 8601; empty where none is readable.
+
+        Raises
+        ------
+        UsageError
+            When the serial number is not one.
+        """
+        if not self.has_reference(serial):
+            return ""
+        try:
+            return load_record(self.folder_of(serial) / REFERENCE_FILE).made_at
+        except InputError:
+            return ""
 
     def has_reference(self, serial: str) -> bool:
         """Return whether the pattern of dots of a sensor is kept.

@@ -17,6 +17,8 @@ from simulated_folders import BOARD, write_boards, write_walls
 from simulated_infrared import dots, write_infrared, write_infrared_walls
 
 from insole_core.calibration.plausibility import USUAL_DEPTH
+from insole_core.sensing.correction import DisparityCorrection
+from insole_core.sensing.infrared_reference import InfraredReference, ReferenceRecord
 from insole_core.sensing.sensor import BURRUS, nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -113,6 +115,19 @@ def test_begins_with_the_serial_number(stage: CalibrateStage) -> None:
     assert stage.view.choose.isEnabled()
     assert not stage.view.calibrate.isEnabled()
     assert all("to do" in line for line in step_lines(stage))
+
+
+def test_a_pattern_kept_by_the_command_is_done(stage: CalibrateStage, tmp_path: Path) -> None:
+    store = SensorStore(tmp_path / "sensors")
+    store.save(nominal_kinect("SIM1"))
+    give_serial(stage)
+    assert "to do" in step_lines(stage)[4]
+
+    flat = DisparityCorrection(np.zeros((480, 640), np.float32))
+    record = ReferenceRecord("SIM1", "2026-03-04T10:00:00+00:00")
+    store.keep_reference(InfraredReference(np.ones((480, 640), np.float32), 0, 1, flat, record))
+    stage.view.steps.setCurrentRow(4)
+    assert "done on 2026-03-04" in step_lines(stage)[4]
 
 
 def test_what_is_no_serial_number(stage: CalibrateStage) -> None:
