@@ -234,7 +234,9 @@ def _depth_json(made: Reconstruction) -> dict[str, Any] | None:
     source = "infrared" if any(use.used for use in infrared.values()) else "chip"
     return {
         "source": source,
-        "trusted_share": {name: use.share for name, use in infrared.items()},
+        "trusted_share": {name: use.trusted for name, use in infrared.items()},
+        "bright_share": {name: use.bright for name, use in infrared.items()},
+        "noisy_share": {name: use.noisy for name, use in infrared.items()},
         "foot_share": made.infrared_share,
         "deviation_of": source,
     }

@@ -37,6 +37,7 @@ _BLACK = 20
 _STEPS = 4
 """A correction changes by far less than a raw unit over a raw unit."""
 
+
 @dataclass(frozen=True)
 class ReferenceRecord:
     """Origin of a reference pattern.

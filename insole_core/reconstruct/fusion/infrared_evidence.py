@@ -36,6 +36,11 @@ _NEAR_RAW = 8.0
 _LARGEST_SHIFT_RAW = 2.0
 """Of a window; where another foot was before the sensor, most are farther from the surface."""
 _LEAST_LIKENESS, _LEAST_GAIN = 0.7, 0.2
+_BRIGHT_GAIN = 0.55
+"""Share of the light that is the dots', below which other light drowns them; 0.6 to 0.9 indoors."""
+_MOST_NOISE = 0.85
+"""What is left of a picture relative to its dots, in units of the noise that is assumed; of the
+mean of six pictures 0.6 to 0.75, with twice the noise 0.8 to 1, with speckle of 50 % 1 to 1.2."""
 _LEAST_SLOPE = 1e-3
 _LARGEST_RAW = 40.0
 _LEAST_INFORMATION = 1e-9
@@ -74,10 +79,21 @@ class InfraredView:
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """The equations of one view, and on which share of the pixels of the foot they are trusted."""
+    """The equations of one view, and how far its picture is to be trusted.
+
+    Parameters
+    ----------
+    observations
+    share
+        Of the foot's pixels, on which picture and pattern agree.
+    bright, noisy
+        Share on which they do, but other light outshines the dots, or noise covers them.
+    """
 
     observations: Observations
     share: float
+    bright: float
+    noisy: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,12 +107,16 @@ class _Windows:
     information : (height, width) float64
         Inverse variance of a pixel's brightness, less where it is an outlier.
     trusted : (height, width) bool
+    bright, noisy : (height, width) bool
+        Of those, where other light outshines the dots, or else noise covers them.
     """
 
     left: FloatArray
     per_raw: FloatArray
     information: FloatArray
     trusted: BoolArray
+    bright: BoolArray
+    noisy: BoolArray
 
 
 def infrared_evidence(
@@ -140,7 +160,11 @@ def infrared_evidence(
     observations = hits.equations(
         reading, mesh, chosen, residuals=residuals, variance=variance, shared_px=_SHARED_PX
     )
-    return Evidence(observations, float(windows.trusted.sum() / max(shown.sum(), 1)))
+    trusted, bright, noisy = (
+        float(part.sum() / max(shown.sum(), 1))
+        for part in (windows.trusted, windows.bright, windows.noisy)
+    )
+    return Evidence(observations, trusted, bright, noisy)
 
 
 def _compare(
@@ -175,7 +199,9 @@ def _compare(
     likeness = np.sqrt(np.clip(1 - missed, 0, 1))
     trusted = shown & (likeness > _LEAST_LIKENESS) & (gain > _LEAST_GAIN)
     trusted &= np.abs(shift) < _LARGEST_SHIFT_RAW
-    return _Windows(left, gain * slope, weight / variance, trusted)
+    bright = trusted & (gain < _BRIGHT_GAIN)
+    noisy = trusted & ~bright & (np.sqrt(variance) > _MOST_NOISE * gain)
+    return _Windows(left, gain * slope, weight / variance, trusted, bright, noisy)
 
 
 def _pattern(

@@ -30,16 +30,25 @@ class InfraredUse:
     Parameters
     ----------
     share
-        Of the foot's pixels, on which it was trusted last.
+        Of the foot's pixels, on which it was like the pattern last.
     used
         Whether it has changed the surface.
     drift_raw
         By how much its pattern lies elsewhere on the first surface as a whole, raw units.
+    bright, noisy
+        Share of the foot's pixels on which it counts less for other light, or for noise.
     """
 
     share: float
     used: bool
     drift_raw: float = 0.0
+    bright: float = 0.0
+    noisy: float = 0.0
+
+    @property
+    def trusted(self) -> float:
+        """Share of the foot's pixels on which nothing speaks against it."""
+        return self.share - self.bright - self.noisy
 
     @property
     def has_drifted(self) -> bool:
@@ -81,8 +90,9 @@ def by_infrared(
         for (view, _), evidence in zip(asked, for_views(compare, asked), strict=True):
             name, seen = view.reading.name, evidence.observations
             before = uses.get(name)
-            uses[name] = use = (
-                _first_use(evidence) if before is None else replace(before, share=evidence.share)
+            first = _first_use(evidence) if before is None else before
+            uses[name] = use = replace(
+                first, share=evidence.share, bright=evidence.bright, noisy=evidence.noisy
             )
             if use.used:
                 observations.append(seen.shifted(-use.drift_raw) if use.has_drifted else seen)

@@ -15,6 +15,18 @@ from insole_core.recording.session import View
 from insole_core.sensing.infrared_reference import RAW_PER_PX, check_picture, on_depth_pixels
 
 _TOLD_SHARE = 0.9
+_TOLD_BRIGHT, _TOLD_NOISY = 0.2, 0.5
+"""Dim and slanting parts make up to 0.1 of a foot bright, and far ones up to 0.4 noisy."""
+_BRIGHT = (
+    "View {view}: on {share:.0%} of the foot its infrared pictures were hardly trusted, because "
+    "bright light outshines the dots, and the deviation stated there is larger; keep sunlight and "
+    "lamps off the foot."
+)
+_NOISY = (
+    "View {view}: on {share:.0%} of the foot its infrared pictures were trusted less, because "
+    "noise covers the dots, and the deviation stated there is larger; see that emitter and lens "
+    "are clean and the skin is dry and matt, and move the sensor nearer."
+)
 
 
 def infrared_view(view: View) -> InfraredView | None:
@@ -110,6 +122,15 @@ def infrared_warnings(
         )
         for name, use in infrared.items()
         if use.used and use.share < _TOLD_SHARE
+    ]
+    told += [
+        Message(sentence, view=name, share=share)
+        for name, use in infrared.items()
+        for sentence, share, told_from in (
+            (_BRIGHT, use.bright, _TOLD_BRIGHT),
+            (_NOISY, use.noisy, _TOLD_NOISY),
+        )
+        if use.used and share > told_from
     ]
     told += [
         Message(

@@ -4876,6 +4876,14 @@
             <translation>Vy {view}: dess infraröda bilder var att lita på på {share:.0%} av foten; på resten användes sensorns eget djup.</translation>
         </message>
         <message>
+            <source>View {view}: on {share:.0%} of the foot its infrared pictures were hardly trusted, because bright light outshines the dots, and the deviation stated there is larger; keep sunlight and lamps off the foot.</source>
+            <translation>Vy {view}: på {share:.0%} av foten var dess infraröda bilder knappt att lita på, eftersom starkt ljus överstrålar punkterna, och den angivna avvikelsen där är större; håll solljus och lampor borta från foten.</translation>
+        </message>
+        <message>
+            <source>View {view}: on {share:.0%} of the foot its infrared pictures were trusted less, because noise covers the dots, and the deviation stated there is larger; see that emitter and lens are clean and the skin is dry and matt, and move the sensor nearer.</source>
+            <translation>Vy {view}: på {share:.0%} av foten var dess infraröda bilder mindre att lita på, eftersom brus döljer punkterna, och den angivna avvikelsen där är större; se till att projektor och lins är rena och huden torr och matt, och flytta sensorn närmare.</translation>
+        </message>
+        <message>
             <source>View {view}: the pattern of its sensor has drifted by {drift:.2f} px against the sensor's own depth, which was taken for the distance of the whole; learn the pattern again (calibrate infrared).</source>
             <translation>Vy {view}: sensorns mönster har flyttat sig {drift:.2f} px mot sensorns eget djup, som fick avgöra avståndet i stort; lär in mönstret igen (calibrate infrared).</translation>
         </message>

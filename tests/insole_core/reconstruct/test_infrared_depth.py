@@ -96,10 +96,15 @@ def mean_error_mm(made: Reconstruction, truth: TriangleMesh) -> float:
     return float(np.mean(distances_mm))
 
 
+@pytest.fixture(scope="module")
+def refined(dotted: Session) -> Reconstruction:
+    return reconstruct(dotted)
+
+
 def test_infrared_pictures_bring_the_foot_nearer_the_truth(
-    dotted: Session, fused: Reconstruction, truth: TriangleMesh
+    dotted: Session, refined: Reconstruction, fused: Reconstruction, truth: TriangleMesh
 ) -> None:
-    made = reconstruct(dotted)
+    made = refined
 
     assert mean_error_mm(made, truth) < 0.85 * mean_error_mm(fused, truth)
     depth = report_json(made, 1.0)["depth"]
@@ -112,6 +117,45 @@ def test_infrared_pictures_bring_the_foot_nearer_the_truth(
     assert fused.deviation_mm is not None
     assert len(made.deviation_mm) == len(made.mesh.vertices)
     assert np.mean(made.deviation_mm) < np.mean(fused.deviation_mm)
+
+
+def test_where_light_or_noise_covers_the_dots_is_told(
+    dotted: Session, refined: Reconstruction
+) -> None:
+    """Sunlight on half of the foot in one view, noise in another, nothing in the third."""
+    pictures, rng = [], np.random.default_rng(5)
+    for view in dotted.views:
+        assert view.dots is not None
+        assert view.dots.pictures is not None
+        pictures.append(view.dots.pictures.read(0).astype(float))
+    sunny, noisy, plain = pictures
+    middle = int(np.median(np.nonzero(sunny > 16)[1]))
+    sunny[:, middle:] += 150
+    noisy += rng.normal(0, 20, noisy.shape)
+    views = []
+    for view, picture in zip(dotted.views, (sunny, noisy, plain), strict=True):
+        assert view.dots is not None
+        assert view.dots.reference is not None
+        levels = np.clip(picture, 0, 1023).astype(np.uint16)
+        views.append(with_picture(view, levels, view.dots.reference))
+    made = reconstruct(replace(dotted, views=tuple(views)))
+
+    bright, covered = (
+        [warning for warning in made.warnings if reason in warning]
+        for reason in ("because bright light outshines", "because noise covers the dots")
+    )
+    first, second, third = (view.name for view in views)
+    assert [told.startswith(f"View {first}: on ") for told in bright] == [True]
+    assert any(told.startswith(f"View {second}: on ") for told in covered)
+    assert not any(told.startswith(f"View {third}: ") for told in made.warnings)
+    depth = report_json(made, 1.0)["depth"]
+    assert 0.2 < depth["bright_share"][first] < 0.8
+    assert depth["noisy_share"][second] > 0.5
+    assert depth["trusted_share"][third] > 0.9 > depth["trusted_share"][first]
+    assert made.deviation_mm is not None
+    assert refined.deviation_mm is not None
+    assert made.deviation_mm.mean() > refined.deviation_mm.mean()
+    assert not any("outshines" in told or "noise covers" in told for told in refined.warnings)
 
 
 def test_a_pattern_that_drifted_is_told_and_moves_nothing(
