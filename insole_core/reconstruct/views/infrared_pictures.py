@@ -134,9 +134,10 @@ def infrared_warnings(
     ]
     told += [
         Message(
-            "View {view}: the pattern of its sensor has drifted by {drift:.2f} px against the "
-            "sensor's own depth, which was taken for the distance of the whole; learn the pattern "
-            "again (calibrate infrared).",
+            "View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, "
+            "which was taken for the distance of the whole: the foot moved a little between "
+            "the two, or the pattern has drifted. Take the view again; if it is told again, "
+            "learn the pattern again (calibrate infrared).",
             view=name,
             drift=abs(use.drift_raw) / RAW_PER_PX,
         )

@@ -4868,6 +4868,10 @@
             <translation>Vyn {view} spelades in med sensor {serial}, som aldrig kalibrerats här; kalibrera den först.</translation>
         </message>
         <message>
+            <source>View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, which was taken for the distance of the whole: the foot moved a little between the two, or the pattern has drifted. Take the view again; if it is told again, learn the pattern again (calibrate infrared).</source>
+            <translation>Vy {view}: dess infraröda bilder ligger {drift:.2f} px från sensorns eget djup, som fick avgöra avståndet i stort: foten rörde sig lite mellan de två, eller så har mönstret flyttat sig. Ta vyn igen; sägs det åter, lär in mönstret igen (calibrate infrared).</translation>
+        </message>
+        <message>
             <source>View {view}: its infrared pictures show the pattern on {share:.0%} of the foot only, so they are of another moment, pose or sensor, or the pattern has drifted.</source>
             <translation>Vy {view}: dess infraröda bilder visar mönstret bara på {share:.0%} av foten, så de är av ett annat ögonblick, läge eller en annan sensor, eller så har mönstret flyttat sig.</translation>
         </message>
@@ -4882,10 +4886,6 @@
         <message>
             <source>View {view}: on {share:.0%} of the foot its infrared pictures were trusted less, because noise covers the dots, and the deviation stated there is larger; see that emitter and lens are clean and the skin is dry and matt, and move the sensor nearer.</source>
             <translation>Vy {view}: på {share:.0%} av foten var dess infraröda bilder mindre att lita på, eftersom brus döljer punkterna, och den angivna avvikelsen där är större; se till att projektor och lins är rena och huden torr och matt, och flytta sensorn närmare.</translation>
-        </message>
-        <message>
-            <source>View {view}: the pattern of its sensor has drifted by {drift:.2f} px against the sensor's own depth, which was taken for the distance of the whole; learn the pattern again (calibrate infrared).</source>
-            <translation>Vy {view}: sensorns mönster har flyttat sig {drift:.2f} px mot sensorns eget djup, som fick avgöra avståndet i stort; lär in mönstret igen (calibrate infrared).</translation>
         </message>
         <message>
             <source>View {view}: {warning}</source>

@@ -171,8 +171,9 @@ def test_a_pattern_that_drifted_is_told_and_moves_nothing(
     made = reconstruct(replace(dotted, views=tuple(views)))
 
     assert mean_error_mm(made, truth) < 0.95 * mean_error_mm(fused, truth)
-    told = [warning for warning in made.warnings if "has drifted by 0.1" in warning]
+    told = [warning for warning in made.warnings if "lie 0.1" in warning]
     assert len(told) == len(views)
+    assert all("the foot moved a little between the two, or" in warning for warning in told)
 
 
 def test_pictures_of_another_pose_are_told_and_change_nothing(
