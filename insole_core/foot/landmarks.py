@@ -50,8 +50,12 @@ _MEDIAL_BORDER = UsualBorder((22, 18, 18, 6), (22, 20, 20, 9), (26, 24, 20, 10),
 _LATERAL_BORDER = UsualBorder((13, 12.5, 12, 4), (10, 10, 10, 5), (14, 13, 12, 8), 50, 30)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
 _ARCH_RISE_MM = 3.0  # least height of a clear arch
+_OUTER_TOES, _TOES = {"toe_tip_1": _MEDIAL, "toe_tip_5": _LATERAL}, (0.82, 0.97)
+"""Toes whose side is one of the foot, and shares of the length where it lies."""
 _OF_HEEL = ("pternion", "heel_medial", "heel_lateral")
+_OF_BALL = ("metatarsale_tibiale", "metatarsale_fibulare")
 _FACET_MM2, _COARSE = (8.0, 40.0), 0.35  # of a plane facet about an end, and the confidence then
+_UNPLACED = 0.45  # most confidence in the ball's ends, which are sought by a length that is a guess
 _LIKELY = 0.7  # confidence of a place by proportions, of that of the places around it
 
 
@@ -126,6 +130,10 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     }
     if is_cut_behind(foot.even.points):
         ends |= {name: replace(ends[name], confidence=GUESS) for name in _OF_HEEL}
+    tips = dict(zip(TOE_TIPS, _toe_tips(foot, sole), strict=True))
+    longest = max(tips.values(), key=lambda tip: float(tip.point[1]))
+    if min(ends["pternion"].confidence, longest.confidence) <= GUESS:
+        ends |= {name: _at_most(ends[name], _UNPLACED) for name in _OF_BALL}
     for name, end in ends.items():
         yield name, _landmark(foot, sole, end)
     middle = (ends["heel_medial"].point + ends["heel_lateral"].point) / 2
@@ -137,11 +145,25 @@ def _search(foot: Foot) -> Iterator[tuple[str, Landmark]]:
     heads = [sole.on_sole(xy) for xy in _head_places(tibiale, fibulare)]
     for name, head in zip(HEADS, heads, strict=True):
         yield name, Landmark(sole.to_insole(head), _LIKELY * _least(ends, "metatarsale"))
-    for name, tip in zip(TOE_TIPS, sole.toe_tips(), strict=True):
+    for name, tip in tips.items():
         yield name, _landmark(foot, sole, tip)
     apex, rise = _arch_apex(sole, heel, heads[0])
     yield "arch_apex", Landmark(sole.to_insole(apex), SURE if rise > _ARCH_RISE_MM else GUESS)
     yield from _axes(foot)
+
+
+def _toe_tips(foot: Foot, sole: SoleSurface) -> list[End]:
+    """Find the tips; where another scanner's file lacks a side of the toes, one may be cut."""
+    tips = sole.toe_tips()
+    if foot.mesh.touches is None:
+        for name, outwards in _OUTER_TOES.items():
+            number = TOE_TIPS.index(name)
+            tips[number] = _at_most(tips[number], sole.support(outwards, _TOES).confidence)
+    return tips
+
+
+def _at_most(end: End, confidence: float) -> End:
+    return replace(end, confidence=min(end.confidence, confidence))
 
 
 def _landmark(foot: Foot, sole: SoleSurface, end: End) -> Landmark:

@@ -167,6 +167,7 @@ _STANDS_ON = {
     "ball_length": ("pternion", "metatarsale_tibiale"),
     "heel_width": ("heel_medial", "heel_lateral"),
     "ball_girth": _BALL,
+    "instep_height": _LENGTH,
     "arch_height": _SIDES,
     "arch_height_index": (*_LENGTH, *_BALL),
     "arch_index": _SIDES,

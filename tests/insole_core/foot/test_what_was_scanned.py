@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -160,3 +161,21 @@ def test_no_end_of_a_whole_foot_or_of_one_cut_elsewhere_is_doubted(left_mesh: Tr
     for kept in (z < 1000, z < 60, (np.hypot(x - 10, y) > 20) | (z > 40)):
         foot = place_foot(left_mesh.part(kept), Side.LEFT, frame="reference")
         assert not {"foot_length", "ball_width", "heel_width"} & set(doubts(find_landmarks(foot)))
+
+
+@pytest.mark.parametrize(
+    ("missing", "leaning"),
+    [
+        (lambda x, y: y < 12, {"ball_width", "ball_width_across", "ball_girth"}),
+        (lambda x, y: y > 225, {"ball_width", "ball_girth", "forefoot_angle_deg"}),
+        (lambda x, y: (y > 170) & (x > 22), {"foot_length", "instep_height", "shoe_size_eu"}),
+    ],
+    ids=["heel", "toes", "side of the big toe"],
+)
+def test_what_leans_on_a_missing_end_is_told(left_foot: Foot, missing, leaning: set[str]) -> None:
+    x, y, _ = left_foot.mesh.vertices.T
+    part = left_foot.mesh.part(~missing(x * left_foot.side.medial_sign, y))
+    cut = replace(left_foot, mesh=part)
+    found = find_landmarks(cut)
+    told = set(doubts(found)) | {name for name, value in measure(cut, found).items() if not value}
+    assert leaning <= told
