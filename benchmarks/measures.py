@@ -1,13 +1,15 @@
 """Measures of reconstructed sessions beside the same measures of their true surfaces.
 
 ``main()`` takes the recorded sessions with their truth that lie beside the checkout, and simulates
-others: of feet of chance, and of real feet and a template that stand in the simulated place. For
+others: of feet of chance, and of real feet and a template that stand in the simulated place, as
+they are and varied by chance. For
 each measure: bias and root mean square of the error, the ± that the product states, and the share
 of the sessions in which the truth lies within it. The foot axis
 (pternion to the tip of the 2nd toe), which turns everything, is shown as an angle.
 
 ``python -c "import benchmarks.measures as b; b.main('SESSION', …)"`` takes the named sessions.
-``SIMULATED`` is the number of simulated feet of chance, ``SEED`` the seed of the first one.
+``SIMULATED`` is the number of simulated feet of chance, ``SEED`` the seed of the first one,
+``VARIED`` the number of the real feet and templates in other sizes.
 """
 
 from __future__ import annotations
@@ -39,6 +41,7 @@ from insole_core.simulate.known_bodies import KnownBody
 from insole_core.workflows.make_foot import make_foot, open_session
 
 SIMULATED, SEED = int(os.environ.get("SIMULATED", "4")), int(os.environ.get("SEED", "101"))
+VARIED = int(os.environ.get("VARIED", "0"))
 _RECORDED = ("sessions/*_?", "infrared/*_?")
 _AXIS = "foot axis (degrees)"
 _DISTANCES_MM = (700, 780, 820, 740)
@@ -49,6 +52,13 @@ _OTHERS = (
     ("focus_template/template.obj", Side.LEFT, (1.0, 1.0, 1.0), 760, False),
     ("focus_template/template.obj", Side.LEFT, (1.06, 0.95, 1.0), 800, True),
 )
+_ORIGINS = (
+    ("dupontgu/right_foot.stl", Side.RIGHT),
+    ("focus_template/template.obj", Side.LEFT),
+    ("foot3d_0044/mesh.obj", Side.LEFT),
+    ("dupontgu/left_foot.stl", Side.LEFT),
+)
+_SCALED = ((0.94, 0.94, 0.93), (1.07, 1.07, 1.1))  # least and most, across, along and upwards
 
 
 @dataclass(frozen=True)
@@ -131,7 +141,7 @@ def _sessions(scratch: Path) -> Iterator[Path]:
             distance_mm=_DISTANCES_MM[number % len(_DISTANCES_MM)],
         )
         yield _written(options, scratch / f"simulated_{SEED + number}")
-    for number, (file, side, scale, distance_mm, mirrored) in enumerate(_OTHERS):
+    for number, (file, side, scale, distance_mm, mirrored) in enumerate((*_OTHERS, *_varied())):
         if (SHARED / file).exists():
             mesh = place_foot(read_mesh(SHARED / file).mesh, side, frame="unknown").mesh
             mesh = TriangleMesh(mesh.vertices * scale, mesh.triangles)
@@ -141,6 +151,14 @@ def _sessions(scratch: Path) -> Iterator[Path]:
                 seed=SEED + 50 + number, side=shown, distance_mm=distance_mm, body=body
             )
             yield _written(options, scratch / f"{Path(file).parent}_{number}")
+
+
+def _varied() -> Iterator[tuple[str, Side, tuple[float, ...], int, bool]]:
+    rng = np.random.default_rng(SEED)
+    for number in range(VARIED):
+        scale = tuple(rng.uniform(*_SCALED))
+        distance_mm, mirrored = int(rng.uniform(690, 820)), bool(rng.integers(2))
+        yield (*_ORIGINS[number % len(_ORIGINS)], scale, distance_mm, mirrored)
 
 
 def body_of(mesh: TriangleMesh, side: Side) -> KnownBody:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from insole_core.foot.foot import Foot
-from insole_core.foot.landmarks import Landmark, Landmarks, find_landmarks
+from insole_core.foot.landmarks import TOE_TIPS, Landmark, Landmarks, find_landmarks
 from insole_core.foot.measures import DEFINITIONS, deviations_mm
 from insole_core.foot.spread import (
     FOREIGN,
@@ -18,6 +18,7 @@ from insole_core.foot.spread import (
     spread_text,
     spreads_of,
 )
+from insole_core.foot.toe_end import MERGED
 
 
 @pytest.fixture(scope="module")
@@ -49,6 +50,18 @@ def test_a_recorded_foot_has_the_limits_of_simulated_captures(outlined: Landmark
     assert found["ball_girth"] == UNKNOWN  # no simulated capture shows the back of the foot
     assert spread_text("foot_length", 0.849) == "± 0.8"
     assert spread_text("arch_index", 0.02) == "± 0.02"
+
+
+def test_the_length_is_less_sure_where_the_longest_toe_does_not_stand_out(
+    outlined: Landmarks,
+) -> None:
+    toes = {name: replace(outlined[name], confidence=MERGED) for name in TOE_TIPS}
+    apart, merged = (
+        spreads_of(marks, is_recorded=True)["foot_length"].limits_95
+        for marks in (outlined, {**outlined, **toes})
+    )
+    assert apart == pytest.approx(0.8, abs=0.1)  # 39 such feet: 0.46 mm rms, so 0.9
+    assert merged == pytest.approx(2.5, abs=0.1)  # 21 feet: 1.2 mm rms
 
 
 def test_sizes_are_as_uncertain_as_the_length_in_their_own_steps(outlined: Landmarks) -> None:
