@@ -39,8 +39,8 @@ _SLIGHT = 1e-3
 _SAME = 2e-3
 """Strain of the tissue that may still change."""
 _FOLLOWED, _FOLLOWED_SAME, _FOLLOWED_ROUNDS = 1e-2, 1e-2, 3
-"""As `_FINE`, `_SAME` and `_ROUNDS`, and `_FEW` may still change what touches, while a support is
-followed as it is drawn."""
+"""As `_FINE`, `_SAME` and `_ROUNDS`, while a support is followed as it is drawn: by steps of which
+none changes more than `_FEW` of what touches."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +173,8 @@ class Support:
         start
             What was found on a support much like this one, to start from.
         follows
-            Go only a few steps from the start, while the support is being drawn.
+            Go only a few rounds from the start, while the support is being drawn; where it has
+            moved too far for that, as many as are needed.
 
         Raises
         ------
@@ -215,13 +216,13 @@ class _Search:
 
     def found(self, start: Pressed | None, *, follows: bool) -> Pressed:
         support, fine = self._support, start is not None
-        rounds, finest, same, few = _ROUNDS, _FINE, _SAME, 0.0
+        rounds, finest, same = _ROUNDS, _FINE, _SAME
         mpa = strain = np.zeros(support.shape)
         touches = self._sole
         if start is not None:
             mpa, strain, touches = start.mpa, start.strain, self._sole & (start.mpa > 0)
             if follows:
-                rounds, finest, same, few = _FOLLOWED_ROUNDS, _FOLLOWED, _FOLLOWED_SAME, _FEW
+                rounds, finest, same = _FOLLOWED_ROUNDS, _FOLLOWED, _FOLLOWED_SAME
         for _ in range(rounds):
             roots, bone = support.roots(strain), _Bone(self._motions, touches)
             mpa = self._balanced(mpa, bone, roots, finest if fine else _ROUGH)
@@ -232,8 +233,11 @@ class _Search:
             stays, joins = mpa > -_SLIGHT * mpa.max(), overlap > _SLIGHT * sunk.max()
             after = self._sole & np.where(touches, stays, joins)
             changed, touches = int((after != touches).sum()), after
+            if follows and changed > _FEW * touches.sum():
+                return self.found(start, follows=False)  # the step is too long to be followed
             before, strain = strain, support.strain(beds, strain)
-            if fine and changed <= few * touches.sum() and np.abs(strain - before).max() < same:
+            is_settled = follows or changed == 0
+            if fine and is_settled and np.abs(strain - before).max() < same:
                 break
             fine = changed <= _FEW * touches.sum()
         mpa = np.maximum(mpa, 0.0)

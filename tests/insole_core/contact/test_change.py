@@ -146,6 +146,14 @@ def test_what_is_drawn_is_followed_closely_from_the_step_before(
         assert followed.of(name).peak_percent == pytest.approx(exact.of(name).peak_percent, abs=6)
 
 
+def test_a_long_step_of_what_is_drawn_is_as_close(sole: Sole, from_flat: Change) -> None:
+    higher = EVA.built(sole, padded(sole.foot, 10))
+    given = (from_flat.loading, shoe_floor(sole), higher, Assumptions())
+    followed, exact = changed(*given, from_flat, follows=True), changed(*given)
+    for name in ("heel", "midfoot", "metatarsal_heads", "toes"):
+        assert followed.of(name).peak_percent == pytest.approx(exact.of(name).peak_percent, abs=6)
+
+
 def test_limits_hold_the_change_and_the_same_ground_changes_nothing(
     sole: Sole, insole: Ground, from_flat: Change
 ) -> None:
