@@ -236,6 +236,21 @@ def test_settings_reach_the_camera_and_those_it_cannot_have_are_refused(
         Camera(bus, "815", CameraSettings(laser_mw=500.0))
 
 
+@pytest.mark.parametrize("ask", ["has_presets", "preset", "laser_mw", "has_infrared"])
+def test_what_cannot_be_asked_of_a_lost_camera_is_told(
+    plugged: Callable[..., EmulatedCameras], monkeypatch: pytest.MonkeyPatch, ask: str
+) -> None:
+    opened = Camera(plugged(camera("815")), "815")
+
+    class Lost:
+        def __getattr__(self, _name: str) -> Any:
+            raise RuntimeError("hwmon command 0x4f failed")
+
+    monkeypatch.setattr(opened, "_depth_sensor", Lost())
+    with pytest.raises(RealSenseError, match="RealSense 815 does not answer"):
+        getattr(opened, ask)
+
+
 def test_exposure_is_held_once_there_is_a_picture_and_freed(
     plugged: Callable[..., EmulatedCameras],
 ) -> None:

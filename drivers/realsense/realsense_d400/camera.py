@@ -216,14 +216,15 @@ class Camera:
     @property
     def has_presets(self) -> bool:
         """Whether a preset can be chosen; of a recording none can."""
-        return self._can_set(self._depth_sensor, "visual_preset")
+        with told(self.serial):
+            return self._can_set(self._depth_sensor, "visual_preset")
 
     @property
     def preset(self) -> Preset | None:
         """Return the preset that it works by; None for one that the program does not know."""
+        if not self.has_presets:
+            return None
         with told(self.serial):
-            if not self.has_presets:
-                return None
             value = self._depth_sensor.get_option(self._rs.option.visual_preset)
         return next((preset for preset in Preset if preset.value == value), None)
 
@@ -261,7 +262,7 @@ class Camera:
     @property
     def has_infrared(self) -> bool:
         """Whether it can stream the pair of infrared pictures."""
-        with suppress(RealSenseError):
+        with told(self.serial), suppress(RealSenseError):
             return bool(self._eyes())
         return False
 
