@@ -136,8 +136,8 @@ def infrared_warnings(
         Message(
             "View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, "
             "which was taken for the distance of the whole: the foot moved a little between "
-            "the two, or the pattern has drifted. Take the view again; if it is told again, "
-            "learn the pattern again (calibrate infrared).",
+            "the two, or the sensor has drifted. Take the view again; if it is told again, "
+            "calibrate the sensor again, the pattern of a Kinect by calibrate infrared.",
             view=name,
             drift=abs(use.drift_raw) / RAW_PER_PX,
         )

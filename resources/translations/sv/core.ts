@@ -4868,8 +4868,8 @@
             <translation>Vyn {view} spelades in med sensor {serial}, som aldrig kalibrerats här; kalibrera den först.</translation>
         </message>
         <message>
-            <source>View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, which was taken for the distance of the whole: the foot moved a little between the two, or the pattern has drifted. Take the view again; if it is told again, learn the pattern again (calibrate infrared).</source>
-            <translation>Vy {view}: dess infraröda bilder ligger {drift:.2f} px från sensorns eget djup, som fick avgöra avståndet i stort: foten rörde sig lite mellan de två, eller så har mönstret flyttat sig. Ta vyn igen; sägs det åter, lär in mönstret igen (calibrate infrared).</translation>
+            <source>View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, which was taken for the distance of the whole: the foot moved a little between the two, or the sensor has drifted. Take the view again; if it is told again, calibrate the sensor again, the pattern of a Kinect by calibrate infrared.</source>
+            <translation>Vy {view}: dess infraröda bilder ligger {drift:.2f} px från sensorns eget djup, som fick avgöra avståndet i stort: foten rörde sig lite mellan de två, eller så har sensorn drivit. Ta vyn igen; sägs det åter, kalibrera sensorn igen, en Kinects mönster med calibrate infrared.</translation>
         </message>
         <message>
             <source>View {view}: its infrared pictures show the pattern on {share:.0%} of the foot only, so they are of another moment, pose or sensor, or the pattern has drifted.</source>
