@@ -55,7 +55,8 @@ class PrintedBar:
         if np.abs(self.sizes - 1).max() > MOST_SIZE or abs(self.skew_deg) > MOST_SKEW_DEG:
             raise CalibrationError(
                 "The print is off by {off}; up to {most:g} % and {skew:g}° are corrected. "
-                "Calibrate the printer and print the body again.",
+                "Check the readings, in mm along x, y and z; if they are right, calibrate the "
+                "printer and print the body again.",
                 off=self.text,
                 most=100 * MOST_SIZE,
                 skew=MOST_SKEW_DEG,

@@ -3852,8 +3852,8 @@
             <translation>Trycket under foten ({side}) ligger ingenstans i zonen {zone}; ändra gränserna eller utelämna zonen.</translation>
         </message>
         <message>
-            <source>The print is off by {off}; up to {most:g} % and {skew:g}° are corrected. Calibrate the printer and print the body again.</source>
-            <translation>Utskriften avviker med {off}; upp till {most:g} % och {skew:g}° korrigeras. Kalibrera skrivaren och skriv ut kroppen igen.</translation>
+            <source>The print is off by {off}; up to {most:g} % and {skew:g}° are corrected. Check the readings, in mm along x, y and z; if they are right, calibrate the printer and print the body again.</source>
+            <translation>Utskriften avviker med {off}; upp till {most:g} % och {skew:g}° korrigeras. Kontrollera avläsningarna, i mm längs x, y och z; om de stämmer, kalibrera skrivaren och skriv ut kroppen igen.</translation>
         </message>
         <message>
             <source>The processor draws, which is slow: install the driver of the graphics card.</source>

@@ -258,6 +258,7 @@ def test_another_body_is_told_by_its_markers(small_session: Path, last_line) -> 
         (["--unit", "mm"], "are known; leave them out"),
         (["--diameter", "120"], "tell the size themselves"),
         (["--callipers", "104", "80", "40", "131", "131"], "The print is off by"),
+        (["--callipers", "10", "8", "4", "12.8", "12.8"], "Check the readings, in mm"),
         (["--callipers", "100", "80", "40", "120", "120"], "measure edges and diagonals again"),
     ],
 )
