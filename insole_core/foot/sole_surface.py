@@ -48,9 +48,9 @@ _PULL_MM = 12.0
 """Distance from its usual position at which a frayed end must lie one millimetre farther out."""
 _LEAST_POINTS = 6
 _FRAYED_MM = (1.5, 3.0)  # from the boundary of an open surface, where it counts in part
-_RIM_MM, _CUT_SHARE, _TURNED_BACK = 4.0, 0.3, 0.985
+_RIM_MM, _CUT_SHARE, _UPRIGHT = 4.0, 0.3, 0.985
 """Of a scan that is cut off at an end: how near to its border the end is, on which share of it, and
-against which cosine its surface does not face the end's direction yet."""
+the horizontal part of a normal below which the surface there is not upright yet."""
 _FRONT_MM = 6.0  # least way from the side of a foot to the end of the scan
 _EDGE_MM = (-1.0, 1.0)  # beside the edge of a region, where the surface counts in part
 _PATCH_MM = 4.0
@@ -235,8 +235,9 @@ class SoleSurface:
         near, beside = whole.points @ direction > top_mm, rim.points @ direction > top_mm
         if rim.area_mm2[beside].sum() < _CUT_SHARE * whole.area_mm2[near].sum():
             return False
-        facing = rim.normals[beside] @ direction
-        return weighted_quantile(facing, rim.area_mm2[beside], 0.9) < _TURNED_BACK
+        # Upright is enough: in plan, a border may run on beyond the shares of the length.
+        upright = np.linalg.norm(rim.normals[beside][:, :2], axis=1)
+        return weighted_quantile(upright, rim.area_mm2[beside], 0.5) < _UPRIGHT
 
     def _between(self, part: Border, shares: tuple[float, float]) -> Border:
         """Return what lies between shares of the length, at their edges in part."""
