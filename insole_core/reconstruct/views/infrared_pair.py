@@ -27,6 +27,7 @@ _SATURATED_SHARE = 0.2
 """The brightest dots of a near foot are saturated in both pictures alike, which does no harm."""
 _AROUND_PX = 16.0
 """Standard deviation of the surroundings, relative to whose brightness the pattern is."""
+_REDUCED = 4
 
 
 class _Pair(NamedTuple):
@@ -86,10 +87,22 @@ def _mean(pictures: InfraredPictures) -> Float32Array:
 
 def _pattern(picture: Float32Array) -> Float32Array:
     """Return a picture relative to its surroundings, with `_FINE` columns per pixel."""
-    seen = (picture > 0).astype(np.float32)
-    around, area = (cv2.GaussianBlur(one, (0, 0), _AROUND_PX) for one in (picture, seen))
+    around, area = map(_around, (picture, (picture > 0).astype(np.float32)))
     relative = picture / np.maximum(around / np.maximum(area, 1e-3), 1.0)
     height, width = picture.shape
-    columns = np.arange((width + 1) * _FINE, dtype=np.float32) / _FINE - _REST_RAW / RAW_PER_PX
-    u, v = np.meshgrid(columns, np.arange(height, dtype=np.float32))
-    return np.asarray(cv2.remap(relative, u, v, cv2.INTER_CUBIC), np.float32)
+    columns = (width + 1) * _FINE
+    to_picture = np.array([[1 / _FINE, 0.0, -_REST_RAW / RAW_PER_PX], [0.0, 1.0, 0.0]])
+    how = cv2.INTER_CUBIC | cv2.WARP_INVERSE_MAP
+    return np.asarray(
+        cv2.warpAffine(relative, to_picture, (columns, height), flags=how), np.float32
+    )
+
+
+def _around(picture: Float32Array) -> Float32Array:
+    """Blur by `_AROUND_PX`, at reduced size: so wide a blur has nothing finer."""
+    height, width = picture.shape
+    reduced = cv2.resize(
+        picture, (width // _REDUCED, height // _REDUCED), interpolation=cv2.INTER_AREA
+    )
+    blurred = cv2.GaussianBlur(reduced, (0, 0), _AROUND_PX / _REDUCED)
+    return np.asarray(cv2.resize(blurred, (width, height)), np.float32)
