@@ -35,6 +35,7 @@ from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import ContourConstraints
 from insole_core.geometry.transforms import rotation_about
 from insole_core.geometry.weighted import weighted_quantile
+from insole_core.imprints.form import Form
 
 _END_DEPTH_MM = 3.0  # points this near to the outermost one belong to the end
 _CAP_MM = 1.5  # depth of the cap whose middle is the place of the outermost point
@@ -51,6 +52,8 @@ _FRAYED_MM = (1.5, 3.0)  # from the boundary of an open surface, where it counts
 _RIM_MM, _CUT_SHARE, _UPRIGHT = 4.0, 0.3, 0.985
 """Of a scan that is cut off at an end: how near to its border the end is, on which share of it, and
 the horizontal part of a normal below which the surface there is not upright yet."""
+_UPRIGHT_IN_FOAM = 0.95
+"""All walls of an imprint end where the foam does, and lean there before its edge curls over."""
 _FRONT_MM = 6.0  # least way from the side of a foot to the end of the scan
 _EDGE_MM = (-1.0, 1.0)  # beside the edge of a region, where the surface counts in part
 _PATCH_MM = 4.0
@@ -237,7 +240,8 @@ class SoleSurface:
             return False
         # Upright is enough: in plan, a border may run on beyond the shares of the length.
         upright = np.linalg.norm(rim.normals[beside][:, :2], axis=1)
-        return weighted_quantile(upright, rim.area_mm2[beside], 0.5) < _UPRIGHT
+        least = _UPRIGHT_IN_FOAM if self._low.foot.form is Form.IMPRINT else _UPRIGHT
+        return weighted_quantile(upright, rim.area_mm2[beside], 0.5) < least
 
     def _between(self, part: Border, shares: tuple[float, float]) -> Border:
         """Return what lies between shares of the length, at their edges in part."""

@@ -13,6 +13,8 @@ from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan_source import ImportChoice
 from insole_core.foot.foot_candidate import FoundFoot, PoseClicks
+from insole_core.foot.landmarks import find_landmarks
+from insole_core.foot.measures import doubts
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -99,6 +101,16 @@ def test_an_imprint_opens_by_command_and_makes_an_insole(single):
     insole = build_insole(scanned.foot, design)
     assert np.isfinite(insole.contact.heights_mm).all()
     assert insole.contact.heights_mm.max() < 45
+
+
+def test_the_sides_of_an_imprint_are_no_cropped_ends(examined):
+    marks = find_landmarks(first_taken(examined).foot)
+    assert not {"ball_width", "heel_width", "arch_height"} & set(doubts(marks))
+
+
+def test_the_walls_of_a_shallow_imprint_end_before_the_sides_do(left_mesh, written):
+    shallow = examine_scan(written(single_box(left_mesh, 14.0, cell_mm=2.0)))
+    assert {"ball_width", "heel_width"} <= set(doubts(find_landmarks(first_taken(shallow).foot)))
 
 
 def test_both_feet_of_a_box_are_found_left_first(double, both_examined):
