@@ -67,6 +67,14 @@ class Tuning:
     laser_mw: float | None = None
     pair: bool | None = None
 
+    def of_what_sets(self, change: Tuning) -> Tuning:
+        """Return what is set here of that which a change sets."""
+        return Tuning(
+            None if change.preset is None else self.preset,
+            None if change.laser_mw is None else self.laser_mw,
+            None if change.pair is None else self.pair,
+        )
+
 
 UNTUNED = Tuning()
 """Of a sensor of which nothing can be set."""

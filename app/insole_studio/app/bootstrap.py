@@ -199,6 +199,7 @@ def build_application(
     events.help_requested.connect(main.help.show_manual_about)
     events.gesture_began.connect(case.end_merging)
     events.gesture_began.connect(features.foot.end_merging)
+    events.gesture_began.connect(features.capture.end_merging)
     return Application(
         services, features, main, controller, autosave, hand_over, maintenance, complaints, events
     )

@@ -119,6 +119,11 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         if self._waiting:
             self.captured.emit(self._waiting.pop(0))
 
+    def end_merging(self) -> None:
+        """Begin a new step of undo with the next gesture."""
+        if self.stage is not None:
+            self.stage.presenter.end_merging()
+
     def forget_waiting(self) -> None:
         """Pass on nothing that waits: it belongs to a case that is left."""
         self._waiting.clear()

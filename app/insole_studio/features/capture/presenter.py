@@ -296,12 +296,20 @@ class CapturePresenter:
             self._assignment.swap(one, other)
             self._assigned()
 
-    def tune(self, serial: str, tuning: Tuning) -> None:
-        """Set what can be set of a sensor."""
+    def tune(self, serial: str, change: Tuning) -> None:
+        """Set something of a sensor; what is None in the change stays."""
         state = next((one for one in self._sensors.states if one.serial == serial), None)
-        if state is not None and not self.is_capturing:
-            self._tuned.push((serial, state.tuning), (serial, tuning), serial)
-            self._service.send(Tune(serial, tuning))
+        if state is None or self.is_capturing:
+            return
+        before = state.tuning.of_what_sets(change)
+        if before != change:
+            run = "" if change.laser_mw is None else serial
+            self._tuned.push((serial, before), (serial, change), serial, run)
+        self._service.send(Tune(serial, change))
+
+    def end_merging(self) -> None:
+        """Do not undo the next power of a projector together with the last one."""
+        self._tuned.end_merging()
 
     def _restore(self, step: Callable[[], tuple[str, Tuning] | None]) -> None:
         """Set what was set before the last change, or after it."""

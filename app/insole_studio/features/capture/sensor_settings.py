@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Any
-
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QWidget
 
-from insole_studio.acquisition.messages import UNTUNED, Capability, Preset
+from insole_studio.acquisition.messages import Capability, Preset, Tuning
 from insole_studio.features.capture.rows import SensorRow
 from insole_studio.texts import tr
 from insole_studio.widgets.form_parts import ComboBox
@@ -19,11 +16,10 @@ class SensorSettings(QWidget):
     """Preset, power of the projector, and infrared pair of a sensor."""
 
     edited = Signal(object)
-    """The `Tuning` that the user wants."""
+    """The `Tuning` with what the user sets; what is None in it stays."""
 
     def __init__(self, serial: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._tuning = UNTUNED
         self._preset = ComboBox(
             [
                 (Preset.HIGH_ACCURACY.value, tr("High accuracy")),
@@ -34,14 +30,14 @@ class SensorSettings(QWidget):
         self._preset.setToolTip(
             tr("High accuracy: few wrong readings, more gaps. High density: the reverse.")
         )
-        self._preset.edited.connect(lambda word: self._edit(preset=Preset(word)))
+        self._preset.edited.connect(lambda word: self.edited.emit(Tuning(preset=Preset(word))))
         self._laser = NumberField("mW", least=0, greatest=0, step=1, decimals=0)
         self._laser.setPrefix(tr("Light: "))
         self._laser.setAccessibleName(tr("Light of sensor {serial}").format(serial=serial))
         self._laser.setToolTip(
             tr("Power of the projector: less where the depth has holes in what is bright and near")
         )
-        self._laser.edited.connect(lambda power_mw: self._edit(laser_mw=power_mw))
+        self._laser.edited.connect(lambda power_mw: self.edited.emit(Tuning(laser_mw=power_mw)))
         self._pair = QCheckBox(tr("Infrared pair"))
         self._pair.setAccessibleName(tr("Infrared pair of sensor {serial}").format(serial=serial))
         self._pair.setToolTip(
@@ -50,7 +46,7 @@ class SensorSettings(QWidget):
                 "sensors fit on one USB controller instead of three."
             )
         )
-        self._pair.toggled.connect(lambda on: self._edit(pair=on))
+        self._pair.toggled.connect(lambda on: self.edited.emit(Tuning(pair=on)))
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(4)
@@ -62,7 +58,6 @@ class SensorSettings(QWidget):
 
     def show_row(self, row: SensorRow) -> None:
         """Show what is set of the sensor."""
-        self._tuning = row.tuning
         has_preset = Capability.PRESET in row.capabilities
         self._preset.setVisible(has_preset)
         self._preset.show_value("" if row.tuning.preset is None else row.tuning.preset.value)
@@ -79,8 +74,3 @@ class SensorSettings(QWidget):
             self._pair.setChecked(bool(row.tuning.pair))
         self.setEnabled(row.can_tune)
         self.setVisible(has_preset or has_laser or has_pair)
-
-    def _edit(self, **changes: Any) -> None:
-        tuning = replace(self._tuning, **changes)
-        if tuning != self._tuning:
-            self.edited.emit(tuning)

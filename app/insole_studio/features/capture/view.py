@@ -79,7 +79,8 @@ class CaptureView(QWidget):
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self._grid)
         QShortcut(QKeySequence("Ctrl+Z"), self, self.undo_requested.emit)
-        QShortcut(QKeySequence("Ctrl+Shift+Z"), self, self.redo_requested.emit)
+        for keys in ("Ctrl+Shift+Z", "Ctrl+Y"):
+            QShortcut(QKeySequence(keys), self, self.redo_requested.emit)
         self._make_options()
         self._make_buttons()
         self._make_offer()

@@ -351,13 +351,13 @@ def test_only_sensors_with_a_motor_take_bursts(
 
 def test_what_is_set_of_a_sensor_can_be_taken_back(bench: Bench) -> None:
     bench.plug_in()
-    strict, dense = Tuning(Preset.HIGH_ACCURACY, 150.0), Tuning(Preset.HIGH_DENSITY, 150.0)
-    state = SensorState("B2", "d415", 1, 1, 30.0, tuning=strict)
+    strict, dense = Tuning(Preset.HIGH_ACCURACY), Tuning(Preset.HIGH_DENSITY)
+    state = SensorState("B2", "d415", 1, 1, 30.0, tuning=replace(strict, laser_mw=150.0))
     bench.tell(Sensors((state,)))
     panel = bench.panel
     panel.tuning_edited.emit("B2", dense)  # type: ignore[attr-defined]
-    bench.tell(Sensors((replace(state, tuning=dense),)))
-    assert panel.rows[0].tuning == dense
+    bench.tell(Sensors((replace(state, tuning=replace(dense, laser_mw=150.0)),)))
+    assert panel.rows[0].tuning == replace(dense, laser_mw=150.0)
     for intent in (panel.undo_requested, panel.undo_requested, panel.redo_requested):  # type: ignore[attr-defined]
         intent.emit()
     assert bench.service.sent == [Tune("B2", dense), Tune("B2", strict), Tune("B2", dense)]
@@ -366,6 +366,30 @@ def test_what_is_set_of_a_sensor_can_be_taken_back(bench: Bench) -> None:
     panel.tuning_edited.emit("B2", strict)  # type: ignore[attr-defined]
     panel.undo_requested.emit()  # type: ignore[attr-defined]
     bench.started()  # the last command, as a capture runs
+
+
+def test_a_run_of_the_wheel_is_one_step_of_undo_before_the_sensor_has_answered(
+    bench: Bench,
+) -> None:
+    bench.plug_in()
+    state = SensorState("B2", "d415", 1, 1, 30.0, tuning=Tuning(laser_mw=150.0, pair=False))
+    bench.tell(Sensors((state,)))
+    panel = bench.panel
+    dimmer, darker = Tuning(laser_mw=120.0), Tuning(laser_mw=90.0)
+    paired, alone = Tuning(pair=True), Tuning(pair=False)
+    changes = (paired, alone, dimmer, darker)
+    for change in changes:
+        panel.tuning_edited.emit("B2", change)  # type: ignore[attr-defined]
+    panel.undo_requested.emit()  # type: ignore[attr-defined]
+    wanted = [*changes, Tuning(laser_mw=150.0)]
+    assert bench.service.sent == [Tune("B2", one) for one in wanted]
+    bench.service.sent.clear()
+    panel.tuning_edited.emit("B2", dimmer)  # type: ignore[attr-defined]
+    bench.tell(Sensors((replace(state, tuning=dimmer),)))
+    bench.presenter.end_merging()
+    panel.tuning_edited.emit("B2", darker)  # type: ignore[attr-defined]
+    panel.undo_requested.emit()  # type: ignore[attr-defined]
+    assert bench.service.sent[-1] == Tune("B2", dimmer)
 
 
 def test_one_sensor_is_moved_from_view_to_view(bench: Bench) -> None:

@@ -93,20 +93,22 @@ def test_a_card_offers_what_its_sensor_can_be_set_to(view: CaptureView, qtbot: Q
     assert (preset.currentText(), light.text()) == ("High accuracy", "Light: 150 mW")
     with qtbot.waitSignal(view.tuning_edited) as edited:
         QTest.keyClick(preset, Qt.Key.Key_Down)
-    assert edited.args == ["D1", replace(strict, preset=Preset.HIGH_DENSITY)]
+    assert edited.args == ["D1", Tuning(Preset.HIGH_DENSITY)]  # nothing else
     with qtbot.waitSignal(view.tuning_edited) as edited:
         QTest.keyClick(light, Qt.Key.Key_Up)
-    assert edited.args == ["D1", replace(strict, laser_mw=180.0)]
+    assert edited.args == ["D1", Tuning(laser_mw=180.0)]
     pair = next(c for c in view.findChildren(QCheckBox) if c.text() == "Infrared pair")
     assert not pair.isVisible()
     paired = replace(strict, pair=False)
     view.show_sensors([replace(both, capabilities=can | {Capability.HAS_PAIR}, tuning=paired)])
     with qtbot.waitSignal(view.tuning_edited) as edited:
         QTest.keyClick(pair, Qt.Key.Key_Space)
-    assert edited.args == ["D1", replace(strict, pair=True)]
+    assert edited.args == ["D1", Tuning(pair=True)]
     light.setFocus()
     with qtbot.waitSignal(view.undo_requested):
         QTest.keyClick(light, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    with qtbot.waitSignal(view.redo_requested):
+        QTest.keyClick(light, Qt.Key.Key_Y, Qt.KeyboardModifier.ControlModifier)
     view.show_sensors([replace(both, can_tune=False)])
     assert not preset.isEnabled()
     assert not light.isEnabled()
