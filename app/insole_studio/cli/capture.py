@@ -149,7 +149,9 @@ def _open_sensors(rig: Rig, request: PlanRequest, left: Draft | None) -> dict[st
     try:
         return open_sensors(rig, request.plan().serials)
     except InsoleError as error:
-        raise (error if left is None else _with_draft(error, left)) from error
+        if left is None:
+            raise
+        raise _with_draft(error, left) from error
 
 
 def _request(

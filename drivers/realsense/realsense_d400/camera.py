@@ -257,7 +257,7 @@ class Camera:
             least, _, step = limits
             power_mw = least + step * round((power_mw - least) / step) if step else power_mw
         with told(self.serial):
-            self._set(self._depth_sensor, "laser_power", power_mw)
+            self._set(self._depth_sensor, "laser_power", power_mw, " mW")
 
     @property
     def has_infrared(self) -> bool:
@@ -389,7 +389,7 @@ class Camera:
             self.set_laser_mw(settings.laser_mw)
         self._set(self._depth_sensor, "depth_units", 1e-4)
 
-    def _set(self, sensor: Any, name: str, value: float) -> None:
+    def _set(self, sensor: Any, name: str, value: float, unit: str = "") -> None:
         """Set an option where the camera has it; of a recording nothing can be set."""
         if not self._can_set(sensor, name):
             return
@@ -397,8 +397,8 @@ class Camera:
         limits = sensor.get_option_range(key)
         if not limits.min <= value <= limits.max:
             raise RealSenseError(
-                f"{name.replace('_', ' ')} of RealSense {self.serial} can be {limits.min:g} to "
-                f"{limits.max:g}, not {value:g}; choose a value in this range."
+                f"The {name.replace('_', ' ')} of RealSense {self.serial} can be {limits.min:g} to "
+                f"{limits.max:g}{unit}, not {value:g}; choose a value in this range."
             )
         sensor.set_option(key, value)
 
