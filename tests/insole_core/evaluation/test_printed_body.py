@@ -75,7 +75,7 @@ def test_a_print_that_is_off_fits_once_its_bar_is_entered(
 @pytest.mark.parametrize(
     ("drawn_mm", "edges_mm", "diagonals_mm", "said"),
     [
-        (DRAWN, (104.0, 80, 60), (131.21, 131.21), "x \\+4.00 %, .*Calibrate the printer"),
+        (DRAWN, (104.0, 80, 60), (131.21, 131.21), "x \\+4.00 %, .*calibrate the printer"),
         (DRAWN, (100.0, 80, 60), (129.9, 126.2), "skew \\+1.70°.*print the body again"),
         (DRAWN, (100.0, 80, 60), (129.0, 129.0), "measure edges and diagonals again"),
         (DRAWN, (0.0, 80, 60), (128.0, 128.0), "not above 0"),
