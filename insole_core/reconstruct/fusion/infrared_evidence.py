@@ -59,11 +59,14 @@ class InfraredView:
         What the picture shows at every disparity.
     finer
         Number of its pixels across a reading.
+    usual_noise
+        Of picture minus pattern, relative to that of a picture and a learnt pattern.
     """
 
     picture: Float32Array
     reference: InfraredReference
     finer: int = 1
+    usual_noise: float = 1.0
 
     @cached_property
     def sharpened(self) -> Float32Array:
@@ -200,7 +203,7 @@ def _compare(
     trusted = shown & (likeness > _LEAST_LIKENESS) & (gain > _LEAST_GAIN)
     trusted &= np.abs(shift) < _LARGEST_SHIFT_RAW
     bright = trusted & (gain < _BRIGHT_GAIN)
-    noisy = trusted & ~bright & (np.sqrt(variance) > _MOST_NOISE * gain)
+    noisy = trusted & ~bright & (np.sqrt(variance) > _MOST_NOISE * infrared.usual_noise * gain)
     return _Windows(left, gain * slope, weight / variance, trusted, bright, noisy)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import cv2
@@ -23,6 +24,8 @@ _FIRST_PX, _REST_RAW = divmod(NO_READING, RAW_PER_PX)
 """Place of the right picture's first column in its pattern."""
 _FINE = 4
 """Columns of the pattern per pixel of the right picture."""
+_USUAL_NOISE = math.sqrt(2)
+"""Both pictures have speckle and noise of their own."""
 _SATURATED_SHARE = 0.2
 """The brightest dots of a near foot are saturated in both pictures alike, which does no harm."""
 _AROUND_PX = 16.0
@@ -75,7 +78,7 @@ def pair_view(view: View, pair: _Pair) -> InfraredView:
     else:
         correction = own.spread(finer, height, width)
     reference = InfraredReference(_pattern(right), _FIRST_PX, _FINE, correction)
-    return InfraredView(left, reference, finer)
+    return InfraredView(left, reference, finer, _USUAL_NOISE)
 
 
 def _mean(pictures: InfraredPictures) -> Float32Array:
