@@ -20,13 +20,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchmarks._measure import print_table
+from insole_core.calibration.boards.printed_page import MARKER_MM
 from insole_core.geometry.arrays import Float32Array, FloatArray
 from insole_core.geometry.transforms import inverse, rotation_angle_deg, transform
 from insole_core.reconstruct.markers.marker_observation import Registration
 from insole_core.reconstruct.views.measured_view import measure_view
 from insole_core.recording.session import ReferenceSystem, View
 from insole_core.simulate import SimulationOptions, simulate_session
-from insole_core.simulate.scene import BLOCK_SIZE_MM
 
 SAMPLE = 6
 LARGEST_TOP_TURN_DEG = {(1280, 1024): 0.1, (640, 480): 0.2}
@@ -147,7 +147,7 @@ def _bound_deg(
     used = {fix.id for fix in registration.fixes if fix.used}
     markers = np.array([m.position_mm for m in system.markers if m.id in used])
     seen = transform(reference2color, markers)
-    rows = camera.fx * BLOCK_SIZE_MM / seen[:, 2].mean()
+    rows = camera.fx * MARKER_MM / seen[:, 2].mean()
     row_variance = noise**2 * 2 * np.sqrt(np.pi) * _BLUR_PX / _USUAL_LEVEL**2
     deviation_px = np.sqrt(row_variance / (2 * rows))
     step = 1e-4

@@ -17,6 +17,7 @@ import manifold3d
 import numpy as np
 import scipy
 
+from insole_core.calibration.boards.printed_page import MARKER_MM
 from insole_core.evaluation.printed_body import PrintedBar
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -32,8 +33,8 @@ NAME = "reference-foot-1"
 """Of the body and of its reference system, with the version of its form."""
 BAR_MM = (100.0, 80.0, 40.0)
 """Edges of the bar that shows size and skew of the print."""
-MARKER_MM, FILM_MM = 15.8, 0.1
-"""Side of a marker, and thickness of the blue film that is glued onto the end of its post."""
+FILM_MM = 0.1
+"""Thickness of the blue film that is glued onto the end of a post, as its marker."""
 BED_MM = (220.0, 220.0, 250.0)
 """Of a printer that it fits on."""
 _SHAPE = FootShape(200.0, 80.0, 55.0, 15.0, 3.0, Side.LEFT)
@@ -67,7 +68,7 @@ _ACHILLES = (
     (70.0, -90.0, 40.0), (70.0, -99.0, 94.0), (96.0, -84.0, 58.0), (96.0, -93.0, 112.0),
 )  # fmt: skip
 """Markers that face -z and -y, mm, reference frame; each fills the end or the edge of its post."""
-_PRINTED2REFERENCE = rigid(np.diag([1.0, -1.0, -1.0]), np.array([-106.0, 112.0, 136.0]))
+_PRINTED2REFERENCE = rigid(np.diag([1.0, -1.0, -1.0]), np.array([PLATE_MM[0][0], *PLATE_MM[1][1:]]))
 """As it is printed its plate lies on the bed, with a corner in the origin."""
 
 

@@ -8,6 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
+from insole_core.calibration.boards.printed_page import MARKER_MM
 from insole_core.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.ray_casting import RayCaster
@@ -17,7 +18,6 @@ from insole_core.recording.manifest_json import parse_reference_system
 from insole_core.recording.session import Marker, ReferenceSystem
 from insole_core.resources import resource_path
 
-BLOCK_SIZE_MM = 15.8
 _BLOCK_DEPTH_MM = 11.2
 _MARKER_BLUE = (22, 52, 168)
 _BRICK_GREY = (140, 140, 142)
@@ -73,7 +73,7 @@ def joined(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
 def _brick(marker: Marker) -> TriangleMesh:
     """Return a grey block whose outward face is blue."""
     outward = np.array(_OUTWARD[marker.face])
-    size = np.where(outward == 0, BLOCK_SIZE_MM, _BLOCK_DEPTH_MM)
+    size = np.where(outward == 0, MARKER_MM, _BLOCK_DEPTH_MM)
     centre = np.array(marker.position_mm) - outward * _BLOCK_DEPTH_MM / 2
     colors = _six_faces(_BRICK_GREY)
     colors[np.argmax(_BOX_NORMALS @ outward)] = _MARKER_BLUE

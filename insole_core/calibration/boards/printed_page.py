@@ -14,10 +14,11 @@ from insole_core.messages import Message
 from insole_core.recording.session import Marker, ReferenceSystem
 
 RULER_MM = 100.0
+MARKER_MM = 15.8
+"""Side of a marker: a block of two studs."""
 
 _MARGIN_MM = 5.0
-_BLACK, _BLUE = "#000000", "#0057b8"
-_MARKER_MM = 15.8
+_BLACK, BLUE = "#000000", "#0057b8"
 _OVERLAP_PX = 4
 _PX_PER_SQUARE = 540
 """Of the picture that a ChArUco board is taken from: 0.05 mm a pixel."""
@@ -122,11 +123,11 @@ def axes_of_face(points: FloatArray) -> tuple[int, int, int]:
 def _template(face: str, markers: tuple[Marker, ...], page_mm: tuple[float, float]) -> PrintedPage:
     across, along, _ = axes_of_face(positions(markers))
     places = positions(markers)[:, [across, along]]
-    low, high = places.min(0) - _MARKER_MM, places.max(0) + _MARKER_MM
+    low, high = places.min(0) - MARKER_MM, places.max(0) + MARKER_MM
     width, height = (high - low).tolist()
     page = (max(page_mm), min(page_mm)) if width > height else (min(page_mm), max(page_mm))
     centers = places - low + _corner(page, (width, height))
-    sides = np.full_like(centers, _MARKER_MM)
+    sides = np.full_like(centers, MARKER_MM)
     note = Message(
         "Face {face}: {across} to the right, {along} downwards",
         face=face,
@@ -137,7 +138,7 @@ def _template(face: str, markers: tuple[Marker, ...], page_mm: tuple[float, floa
         (marker.id, float(x) + 10, float(y))
         for marker, (x, y) in zip(markers, centers, strict=True)
     )
-    return PrintedPage(page, np.hstack([centers - sides / 2, sides]), note, _BLUE, labels)
+    return PrintedPage(page, np.hstack([centers - sides / 2, sides]), note, BLUE, labels)
 
 
 def _black_boxes(black: BoolArray) -> FloatArray:

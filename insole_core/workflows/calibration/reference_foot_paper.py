@@ -12,6 +12,7 @@ from reportlab.lib import colors
 from reportlab.lib.units import mm
 from reportlab.platypus import Flowable, PageBreak
 
+from insole_core.calibration.boards.printed_page import BLUE, MARKER_MM, RULER_MM
 from insole_core.evaluation.printed_body import MOST_SIZE, MOST_SKEW_DEG
 from insole_core.export.paper import HEAD, TITLE, facts_table, paragraph, write_pages
 from insole_core.geometry.mesh import TriangleMesh
@@ -20,18 +21,16 @@ from insole_core.simulate.reference_foot import (
     BAR_MM,
     BED_MM,
     FILM_MM,
-    MARKER_MM,
     NAME,
     PLATE_MM,
     ReferenceFoot,
     reference_system,
 )
 
-_BLUE = colors.HexColor("#0057b8")
+_BLUE = colors.HexColor(BLUE)
 _PAGE_MM = (170.0, 210.0)
 _SPARE, _GAP_MM = 4, 6.0
 _PLAN_SCALE, _PLAN_LOW = 0.4, 40.0
-_RULER_MM = 100.0
 _STEPS = (
     "Print both with the same settings, one after the other, as they lie in the files: no turning, "
     "no scaling, layers of 0.12 mm or finer, no support below the foot.",
@@ -165,8 +164,8 @@ def _squares(system: ReferenceSystem) -> Drawing:
         page.add(Rect(x, y, MARKER_MM * mm, MARKER_MM * mm, fillColor=_BLUE, strokeColor=None))
         page.add(String(x, y - 9, name, fontSize=8))
     _draw_plan(page, system)
-    page.add(Rect(0, 10, _RULER_MM * mm, 2, fillColor=colors.black, strokeColor=None))
-    page.add(String(0, 0, f"{_RULER_MM:.0f} mm", fontSize=8))
+    page.add(Rect(0, 10, RULER_MM * mm, 2, fillColor=colors.black, strokeColor=None))
+    page.add(String(0, 0, f"{RULER_MM:.0f} mm", fontSize=8))
     return page
 
 

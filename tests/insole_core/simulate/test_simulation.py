@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
+from insole_core.calibration.boards.printed_page import MARKER_MM
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, is_rotation, transform
@@ -19,7 +20,7 @@ from insole_core.simulate import (
     SimulationOptions,
     simulate_session,
 )
-from insole_core.simulate.scene import BLOCK_SIZE_MM, load_reference_system
+from insole_core.simulate.scene import load_reference_system
 
 SMALL = SimulationOptions(frames=1, color_size=(640, 480), foot_cell_mm=6.0)
 
@@ -70,7 +71,7 @@ def test_frames_have_the_declared_form(right_session: SimulatedSession) -> None:
 
 def test_every_marker_is_seen_blue_at_its_place(right_session: SimulatedSession) -> None:
     system = right_session.session.manifest.reference_system
-    grid = np.linspace(-0.35, 0.35, 5) * BLOCK_SIZE_MM
+    grid = np.linspace(-0.35, 0.35, 5) * MARKER_MM
     a, b = (axis.ravel() for axis in np.meshgrid(grid, grid))
     on_face = {
         "sole": np.stack([a, b, 0 * a], axis=1),
@@ -158,7 +159,7 @@ def test_the_reference_system_cannot_be_mistaken_for_itself_turned() -> None:
         points -= points.mean(axis=0)
         for signs in ((-1, 1, 1), (1, -1, 1), (1, 1, -1), (-1, -1, 1), (-1, 1, -1), (1, -1, -1)):
             distance = np.linalg.norm(points[:, None] - points * signs, axis=2).min(axis=1)
-            assert distance.max() > BLOCK_SIZE_MM / 2
+            assert distance.max() > MARKER_MM / 2
 
 
 @pytest.mark.parametrize(
