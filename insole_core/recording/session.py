@@ -8,7 +8,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from insole_core.geometry.arrays import ByteArray, RawArray
+import numpy as np
+
+from insole_core.geometry.arrays import ByteArray, FloatArray, RawArray
 from insole_core.geometry.side import BOTH, Side, Sides
 from insole_core.recording.box import Box
 from insole_core.recording.capture_place import CapturePlace
@@ -176,6 +178,13 @@ class InfraredPictures:
     count: int
     read: Callable[[int], RawArray]
     bits: int
+
+    def mean(self) -> FloatArray:
+        """Return the mean picture, (height, width) float64."""
+        total = self.read(0).astype(np.float64)
+        for index in range(1, self.count):
+            total += self.read(index)
+        return total / self.count
 
 
 @dataclass(frozen=True, eq=False)

@@ -82,8 +82,7 @@ def pair_view(view: View, pair: _Pair) -> InfraredView:
 
 
 def _mean(pictures: InfraredPictures) -> Float32Array:
-    total = sum(pictures.read(index).astype(float) for index in range(pictures.count))
-    mean = np.asarray(total / pictures.count)
+    mean = pictures.mean()
     check_picture(mean * (GREATEST / (2.0**pictures.bits - 1)), _SATURATED_SHARE)
     return mean.astype(np.float32)
 

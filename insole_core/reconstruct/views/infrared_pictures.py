@@ -51,10 +51,7 @@ def infrared_view(view: View) -> InfraredView | None:
         raise InputError(dots.fault)
     if dots.pictures is None or dots.reference is None:
         return None
-    total = np.zeros((view.sensor.depth_camera.height, view.sensor.depth_camera.width), np.float64)
-    for index in range(dots.pictures.count):
-        total += dots.pictures.read(index)
-    mean = total / dots.pictures.count
+    mean = dots.pictures.mean()
     check_picture(mean)
     placed = on_depth_pixels(mean, dots.shift_px)
     return InfraredView(placed.astype(np.float32), dots.reference)

@@ -95,7 +95,7 @@ def _keep_dots(view: View, folder: Path, outputs: Transaction) -> None:
             "black or saturated; hold the sensor still with its emitter uncovered, and take it "
             "again."
         )
-    mean = np.mean([dots.pictures.read(one) for one in range(dots.pictures.count)], axis=0)
+    mean = dots.pictures.mean()
     number = _next_number(folder, "infrared_")
     picture = np.rint(MEAN_SCALE * mean).astype(np.uint16)
     _write(folder / f"infrared_{number:02d}.png", encode_png(picture), outputs)
