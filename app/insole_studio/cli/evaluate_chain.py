@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
+from insole_studio.cli import evaluate_reference_foot
 from insole_studio.cli.argument_parser import number
 from insole_studio.cli.report_arguments import (
     add_limit_arguments,
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from insole_core.evaluation.printed_body import PrintedBar
 
 NAME = "chain"
-REFERENCE_FOOT = "reference-foot"
 HELP = "the whole chain, with and without the learnt correction, against an object of known form"
 
 
@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="what another scanner measured of the object, such as a plaster cast",
     )  # fmt: skip
     what.add_argument(
-        "--body", choices=[REFERENCE_FOOT],
+        "--body", choices=[evaluate_reference_foot.NAME],
         help="the object is the reference foot that evaluate reference-foot writes, printed",
     )  # fmt: skip
     size = parser.add_mutually_exclusive_group()

@@ -19,10 +19,15 @@ from insole_core.simulate.reference_foot import (
     reference_foot,
     scale_bar,
 )
-from insole_core.workflows.calibration.reference_foot_paper import certificate, write_paper
+from insole_core.workflows.calibration.reference_foot_paper import (
+    BAR_FILE,
+    BODY_FILE,
+    certificate,
+    write_paper,
+)
 
-FILES = ("reference-foot.stl", "scale-bar.stl", "reference-system.json", "certificate.json")
-PAPER = "certificate.pdf"
+SYSTEM_FILE, CERTIFICATE, PAPER = "reference-system.json", "certificate.json", "certificate.pdf"
+FILES = {BODY_FILE, BAR_FILE, SYSTEM_FILE, CERTIFICATE, PAPER}
 
 
 def known_reference_foot(callipers: Sequence[float] | None) -> KnownPlaced:
@@ -64,14 +69,14 @@ def write_reference_foot(folder: Path) -> None:
     foot = reference_foot()
     body, bar = foot.to_print(), scale_bar()
     with replacing_folder(folder, _foreign) as beside:
-        for mesh, name in zip((body, bar), FILES, strict=False):
-            write_stl(mesh, beside / name, NAME)
-        save_reference_system(foot.system, beside / FILES[2])
+        write_stl(body, beside / BODY_FILE, NAME)
+        write_stl(bar, beside / BAR_FILE, NAME)
+        save_reference_system(foot.system, beside / SYSTEM_FILE)
         text = json.dumps(certificate(foot, body, bar), indent=1)
-        write_text(text + "\n", beside / FILES[3])
+        write_text(text + "\n", beside / CERTIFICATE)
         write_paper(foot, body, bar, beside / PAPER)
 
 
 def _foreign(folder: Path) -> str | None:
     names = {path.name for path in folder.iterdir() if not is_unfinished(path)}
-    return min(names - {*FILES, PAPER}, default=None)
+    return min(names - FILES, default=None)

@@ -27,6 +27,7 @@ from insole_core.simulate.reference_foot import (
     reference_system,
 )
 
+BODY_FILE, BAR_FILE = "reference-foot.stl", "scale-bar.stl"
 _BLUE = colors.HexColor(BLUE)
 _PAGE_MM = (170.0, 210.0)
 _SPARE, _GAP_MM = 4, 6.0
@@ -107,8 +108,8 @@ def certificate(foot: ReferenceFoot, body: TriangleMesh, bar: TriangleMesh) -> d
         ],
         "size_mm": [round(float(size), 1) for size in np.ptp(body.bounds_mm, axis=0)],
         "volume_cm3": {
-            "reference-foot.stl": round(body.volume_mm3 / 1000, 1),
-            "scale-bar.stl": round(bar.volume_mm3 / 1000, 1),
+            BODY_FILE: round(body.volume_mm3 / 1000, 1),
+            BAR_FILE: round(bar.volume_mm3 / 1000, 1),
         },
         "most_size_error": MOST_SIZE,
         "most_skew_deg": MOST_SKEW_DEG,
