@@ -120,8 +120,23 @@ class KnownRound:
         return form
 
 
+class _OfKnownForm:
+    """A body whose form is known, and its size with it."""
+
+    scan: Scan
+
+    @property
+    def size_range_mm(self) -> tuple[float, float]:
+        """Its longest extent, which is known."""
+        return self.scan.extent_mm, self.scan.extent_mm
+
+    def true_size_mm(self, fitted_mm: float) -> float:
+        """Return its own size, whatever was fitted."""
+        return self.scan.extent_mm
+
+
 @dataclass(frozen=True, eq=False)
-class KnownScan:
+class KnownScan(_OfKnownForm):
     """A rigid body, such as a plaster cast, that another scanner has measured.
 
     Parameters
@@ -139,11 +154,6 @@ class KnownScan:
     bar: PrintedBar | None = None
 
     @property
-    def size_range_mm(self) -> tuple[float, float]:
-        """Its longest extent, which is known."""
-        return self.scan.extent_mm, self.scan.extent_mm
-
-    @property
     def text(self) -> str:
         """The object in words."""
         if self.bar is None:
@@ -151,10 +161,6 @@ class KnownScan:
         return Message(
             "the body of {name} as it was printed ({off})", name=self.name, off=self.bar.text
         )
-
-    def true_size_mm(self, fitted_mm: float) -> float:
-        """Return the size of the scan itself, whatever was fitted."""
-        return self.scan.extent_mm
 
     def find(self, surface: TriangleMesh) -> KnownForm:
         """Lay the scan onto a surface, mm.
@@ -168,7 +174,7 @@ class KnownScan:
 
 
 @dataclass(frozen=True, eq=False)
-class KnownPlaced:
+class KnownPlaced(_OfKnownForm):
     """A body whose place among the markers is known too, so that nothing is fitted.
 
     Parameters
@@ -188,20 +194,11 @@ class KnownPlaced:
     bar: PrintedBar | None = None
 
     @property
-    def size_range_mm(self) -> tuple[float, float]:
-        """Its longest extent, which is known."""
-        return self.scan.extent_mm, self.scan.extent_mm
-
-    @property
     def text(self) -> str:
         """The object in words."""
         if self.bar is None:
             return Message("{name} as it was drawn, its print not measured", name=self.name)
         return Message("{name} as it was printed ({off})", name=self.name, off=self.bar.text)
-
-    def true_size_mm(self, fitted_mm: float) -> float:
-        """Return its own size, whatever was fitted."""
-        return self.scan.extent_mm
 
     def find(self, surface: TriangleMesh) -> KnownForm:
         """Return it in its place, where a surface, mm, reference frame, must show it.
