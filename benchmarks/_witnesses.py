@@ -39,8 +39,12 @@ def by_manifold(mesh: TriangleMesh) -> list[str]:
 def by_admesh(path: Path) -> list[str] | None:
     if shutil.which("admesh") is None:
         return None
-    call = subprocess.run(["admesh", str(path)], capture_output=True, text=True, check=True)
+    # It prints the byte behind a title that fills its 80, whichever that is.
+    call = subprocess.run(
+        ["admesh", str(path)], capture_output=True, text=True, errors="replace", check=True
+    )
     lines = [line for line in call.stdout.splitlines() if any(f in line for f in _FAULTS)]
+    assert len(lines) == len(_FAULTS), call.stdout
     counts = [re.search(r":\s*(\d+)", line) for line in lines]
     return [line for line, n in zip(lines, counts, strict=True) if n and n.group(1) != "0"]
 

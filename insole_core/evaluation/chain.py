@@ -17,7 +17,7 @@ import scipy
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.find_form import on_form
 from insole_core.evaluation.known_form import KnownForm, fitted
-from insole_core.evaluation.known_object import KnownObject, KnownPlaced, moved_by
+from insole_core.evaluation.known_object import KnownObject, moved_by
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
@@ -267,11 +267,10 @@ class _Placed:
         found = known.find(surface)
         own = on_form(found, surface.vertices, surface.vertex_normals)
         form = found.of_size(known.true_size_mm(found.size_mm))
-        if not isinstance(known, KnownPlaced):
-            form = fitted(form, surface.vertices[own], surface.vertex_areas[own])
+        best = fitted(form, surface.vertices[own], surface.vertex_areas[own])
         others = _large_pieces(surface.part(~own))
         tree = scipy.spatial.cKDTree(others) if len(others) else None
-        return cls(known, capture, form, tree)
+        return cls(known, capture, known.counted(form, best), tree)
 
     def errors(self, correction: Correction, views: tuple[str, ...]) -> ChainErrors:
         """Measure the errors with one correction."""
@@ -289,7 +288,7 @@ class _Placed:
         size_mm = fitted(self.form, points, areas, size=True).size_mm
         true_mm = self.known.true_size_mm(size_mm)
         best = fitted(self.form.of_size(true_mm), points, areas)
-        form = self.form if isinstance(self.known, KnownPlaced) else best
+        form = self.known.counted(self.form, best)
         surface = self._surface(form, result.depth_views, points, areas, views)
         sensors = tuple(self._sensor(view, form, correction) for view in result.depth_views)
         missing = self._missing_share(form, points)
@@ -302,13 +301,8 @@ class _Placed:
     def _belongs(self, mesh: TriangleMesh) -> BoolArray:
         errors, _ = self.form.errors(mesh.vertices)
         near = np.abs(errors) < _BAND_MM
-        return np.asarray(near & self._is_free(mesh.vertices) & self._is_judged(mesh.vertices))
-
-    def _is_judged(self, points: FloatArray) -> BoolArray:
-        """Return whether points (n, 3) lie where errors of the object count."""
-        if isinstance(self.known, KnownPlaced):
-            return self.known.scan.is_judged(points)
-        return np.ones(len(points), dtype=bool)
+        judged = self.known.is_judged(mesh.vertices)
+        return np.asarray(near & self._is_free(mesh.vertices) & judged)
 
     def _is_free(self, points: FloatArray) -> BoolArray:
         """Return which points (n, 3) lie away from what holds the object."""
@@ -370,7 +364,7 @@ class _Placed:
         _, outward = form.errors(samples)
         low, high = np.array(self.capture.volume.min_mm), np.array(self.capture.volume.max_mm)
         inner = Box(tuple(low + _EDGE_MM), tuple(high - _EDGE_MM))
-        free = is_inside(samples, inner) & self._is_free(samples) & self._is_judged(samples)
+        free = is_inside(samples, inner) & self._is_free(samples) & self.known.is_judged(samples)
         seeable = np.zeros(len(samples), dtype=bool)
         for view in self.capture.reconstructed["none"].depth_views:
             slant = _slant_deg(view, samples, outward)

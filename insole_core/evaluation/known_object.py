@@ -17,6 +17,7 @@ from insole_core.evaluation.find_form import (
 )
 from insole_core.evaluation.known_form import KnownForm, Scan, ScannedBody, fitted
 from insole_core.evaluation.printed_body import PrintedBar
+from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.messages import Message
@@ -28,8 +29,20 @@ _MOST_SCALE = 0.01
 """More than sensors are off; prints that nobody measured are."""
 
 
+class _Fitted:
+    """A body whose place is not known: it is laid onto what was measured of it."""
+
+    def counted(self, found: KnownForm, best: KnownForm) -> KnownForm:
+        """Return which place errors are counted from: where it was found, or where it fits best."""
+        return best
+
+    def is_judged(self, points: FloatArray) -> BoolArray:
+        """Return whether points (n, 3), reference frame, mm, lie where errors of it count."""
+        return np.ones(len(points), dtype=bool)
+
+
 @dataclass(frozen=True)
-class KnownRound:
+class KnownRound(_Fitted):
     """A ball or a cylinder.
 
     Parameters
@@ -136,7 +149,7 @@ class _OfKnownForm:
 
 
 @dataclass(frozen=True, eq=False)
-class KnownScan(_OfKnownForm):
+class KnownScan(_OfKnownForm, _Fitted):
     """A rigid body, such as a plaster cast, that another scanner has measured.
 
     Parameters
@@ -199,6 +212,14 @@ class KnownPlaced(_OfKnownForm):
         if self.bar is None:
             return Message("{name} as it was drawn, its print not measured", name=self.name)
         return Message("{name} as it was printed ({off})", name=self.name, off=self.bar.text)
+
+    def counted(self, found: KnownForm, best: KnownForm) -> KnownForm:
+        """Return its own place."""
+        return found
+
+    def is_judged(self, points: FloatArray) -> BoolArray:
+        """Return whether points (n, 3), reference frame, mm, lie on the foot, not on its stand."""
+        return self.scan.is_judged(points)
 
     def find(self, surface: TriangleMesh) -> KnownForm:
         """Return it in its place, where a surface, mm, reference frame, must show it.
