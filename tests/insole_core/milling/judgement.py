@@ -23,8 +23,8 @@ from tests.insole_core.milling.removal import Removal
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IntArray = npt.NDArray[np.int64]
-_SAMPLE_MM = 0.3
-"""Between points of the piece from which the nearest triangles are found."""
+_SAMPLE_MM = 0.8
+"""Between points within the triangles of the piece, from which the nearest ones are found."""
 _HOLLOW_MM = 0.003
 _STEEPEST = np.sqrt(0.5)
 """Cosine of the steepest slope to which ridges may grow: they stay below twice those of a level."""
@@ -224,8 +224,8 @@ class _Distance:
         points, owners = [], []
         for count in np.unique(counts):
             of = np.flatnonzero(counts == count)
-            u, v = np.mgrid[: count + 1, : count + 1] / max(count, 1)
-            keep = u + v <= 1 + 1e-9
+            u, v = (np.mgrid[:count, :count] + 1 / 3) / count
+            keep = u + v < 1
             weights = np.column_stack([1 - u[keep] - v[keep], u[keep], v[keep]])
             points.append(np.einsum("wc,tcx->twx", weights, corners[of]).reshape(-1, 3))
             owners.append(np.repeat(of, len(weights)))

@@ -10,6 +10,8 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+_TOGETHER = 1000
+"""Samples of a path whose pixels are looked at together."""
 _WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
 FloatArray = npt.NDArray[np.float64]
 
@@ -64,8 +66,9 @@ class Removal:
             turned |= "foot side down" in line and not self.sides
             said = re.search(r"tool (\d+):", line)
             code = re.sub(r"\(.*?\)", "", line)
-            self.words |= set(re.findall(r"[GM][\d.]+", code))
-            found = {} if "G43" in code else dict(_WORD.findall(code))
+            words = _WORD.findall(code)
+            self.words |= {letter + number for letter, number in words if letter in "GM"}
+            found = {} if "G43" in code else dict(words)
             if "T" in found or said:
                 self._cut(tool, points)
                 points, tool = [place.copy()], int(found.get("T") or said.group(1))  # type: ignore[union-attr]
@@ -129,7 +132,7 @@ class Removal:
     def _reached(
         self, tool: Tool, samples: FloatArray
     ) -> Iterator[tuple[npt.NDArray[np.int64], FloatArray]]:
-        """Numbers of pixels below the tool, and how high it is there, one offset at a time.
+        """Numbers of pixels below the tool, and how high it is there, for some samples at a time.
 
         The pixels are those of the heights with `_margin` round them.
         """
@@ -138,12 +141,16 @@ class Removal:
         near = ((pixels >= -reach) & (pixels < self.heights.shape + np.array(reach))).all(axis=1)
         pixels, samples = pixels[near], samples[near]
         numbers = (pixels + self._margin(tool)) @ np.array([width, 1])
-        x, y = ((pixels + 0.5) * self.pitch_mm - samples[:, :2]).T
-        offsets = np.mgrid[-reach : reach + 1, -reach : reach + 1].reshape(2, -1).T
-        for i, j in offsets[np.linalg.norm(offsets, axis=1) <= tool.radius_mm / self.pitch_mm + 1]:
-            distance2 = (x + i * self.pitch_mm) ** 2 + (y + j * self.pitch_mm) ** 2
-            hit = np.flatnonzero(distance2 <= tool.radius_mm**2)
-            yield numbers[hit] + (i * width + j), samples[hit, 2] + tool.height(distance2[hit])
+        x, y = ((pixels + 0.5) * self.pitch_mm - samples[:, :2]).T[..., None]
+        i, j = np.mgrid[-reach : reach + 1, -reach : reach + 1].reshape(2, -1)
+        within = np.hypot(i, j) <= tool.radius_mm / self.pitch_mm + 1
+        i, j = i[within], j[within]
+        for begin in range(0, len(samples), _TOGETHER):
+            some = slice(begin, begin + _TOGETHER)
+            distance2 = (x[some] + i * self.pitch_mm) ** 2 + (y[some] + j * self.pitch_mm) ** 2
+            sample, offset = np.nonzero(distance2 <= tool.radius_mm**2)
+            below = numbers[some][sample] + (i * width + j)[offset]
+            yield below, samples[some][sample, 2] + tool.height(distance2[sample, offset])
 
     def _margin(self, tool: Tool) -> int:
         return 2 * (int(tool.radius_mm / self.pitch_mm) + 1)
