@@ -14,7 +14,14 @@ from kinect_v1.modes import StreamMode
 MAGIC = b"RB"
 HEADER_BYTES = 12
 FIRST, MIDDLE, LAST = 0x1, 0x2, 0x5
-_HEADER = struct.Struct("<2sxBxBHI")
+_HEADER = np.dtype(
+    {
+        "names": ("magic", "flag", "sequence", "length", "device_time"),
+        "formats": ("S2", "u1", "u1", "<u2", "<u4"),
+        "offsets": (0, 3, 5, 6, 8),
+        "itemsize": HEADER_BYTES,
+    }
+)
 ByteArray = NDArray[np.uint8]
 _TIMESTAMP = struct.Struct("<I")
 _TIMESTAMP_OFFSET = 8
@@ -32,17 +39,38 @@ def packet_flag(mode: StreamMode, index: int) -> int:
     return mode.kind.flag | place
 
 
-def encode_header(flag: int, sequence: int, length: int, device_time: int) -> bytes:
-    """Encode the header of one packet.
+def packet_flags(mode: StreamMode) -> ByteArray:
+    """Return the flags of the packets of a frame, (packets,) uint8."""
+    return np.array([packet_flag(mode, index) for index in range(mode.packets)], np.uint8)
+
+
+def packet_lengths(mode: StreamMode) -> NDArray[np.uint32]:
+    """Return the lengths of header and payload of the packets of a frame, (packets,), bytes."""
+    lengths = np.full(mode.packets, HEADER_BYTES + mode.kind.payload_bytes, np.uint32)
+    lengths[-1] = HEADER_BYTES + mode.last_payload_bytes
+    return lengths
+
+
+def encode_headers(
+    flags: ByteArray,
+    sequences: NDArray[np.int64],
+    lengths: NDArray[np.uint32],
+    device_times: NDArray[np.int64],
+) -> ByteArray:
+    """Encode the headers of n packets, (n, 12).
 
     Parameters
     ----------
-    length
-        Of header and payload, bytes.
-    device_time
-        The sensor's clock.
+    flags, sequences, lengths, device_times : (n,)
+        Lengths of header and payload, bytes; times by the sensor's clock.
     """
-    return _HEADER.pack(MAGIC, flag, sequence & 0xFF, length, device_time & 0xFFFFFFFF)
+    headers = np.zeros(len(flags), _HEADER)
+    headers["magic"] = MAGIC
+    headers["flag"] = flags
+    headers["sequence"] = sequences & 0xFF
+    headers["length"] = lengths
+    headers["device_time"] = device_times & 0xFFFFFFFF
+    return headers.view(np.uint8).reshape(-1, HEADER_BYTES)
 
 
 class PacketBlock(NamedTuple):
@@ -102,9 +130,8 @@ class FrameAssembler:
         self.discarded = 0
         self.lost_packets = 0
         self._mode = mode
-        self._flags = np.array([packet_flag(mode, k) for k in range(mode.packets)], np.uint8)
-        self._lengths = np.full(mode.packets, HEADER_BYTES + mode.kind.payload_bytes, np.uint32)
-        self._lengths[-1] = HEADER_BYTES + mode.last_payload_bytes
+        self._flags = packet_flags(mode)
+        self._lengths = packet_lengths(mode)
         self._frame = self._new_frame()
         self._index = 0
         self._sequence: int | None = None

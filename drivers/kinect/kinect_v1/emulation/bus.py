@@ -289,7 +289,7 @@ class _PlayingStream:
         self._endpoint = endpoint
         self._receiver = receiver
         self._block_s = _BLOCK / (MICROFRAMES_PER_S * speed)
-        self._buffer = np.zeros((_BLOCK, packet_bytes), np.uint8)
+        self._packet_bytes = packet_bytes
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._play, name="kinect-emulated", daemon=True)
         self._thread.start()
@@ -311,9 +311,9 @@ class _PlayingStream:
     def _next_block(self) -> PacketBlock:
         packets = self._plugged.function.microframes(self._endpoint, _BLOCK)
         lengths = np.array([len(packet) for packet in packets], np.uint32)
-        for row, packet in zip(self._buffer, packets, strict=True):
-            row[: len(packet)] = np.frombuffer(packet, np.uint8)
-        return PacketBlock(self._buffer, lengths, np.ones(_BLOCK, bool))
+        filled = b"".join(packet.ljust(self._packet_bytes, b"\0") for packet in packets)
+        buffer = np.frombuffer(filled, np.uint8).reshape(_BLOCK, self._packet_bytes)
+        return PacketBlock(buffer, lengths, np.ones(_BLOCK, bool))
 
 
 def _fill(data: array[int], answer: bytes) -> int:

@@ -6,8 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from kinect_v1.modes import StreamMode
-from kinect_v1.packets import HEADER_BYTES, encode_header, packet_flag
+from kinect_v1.packets import (
+    HEADER_BYTES,
+    ByteArray,
+    encode_headers,
+    packet_flags,
+    packet_lengths,
+)
 
 FaultKind = Literal[
     "lost",  # the packet is lost
@@ -86,6 +94,9 @@ class PacketSource:
         self._mode = mode
         self._frames = frames
         self._faults = faults
+        self._flags = packet_flags(mode)
+        self._lengths = packet_lengths(mode)
+        self._payloads = self._split(frames[0])
         self._microframe = 0
         self._frame = -1
         self._index = mode.packets // 2  # the first frame after the start is incomplete
@@ -102,27 +113,46 @@ class PacketSource:
                 sent += [_IDLE] * idle
                 self._microframe += idle
             else:
-                sent.append(self._next_packet())
+                sent += self._next_packets(count - len(sent))
         return sent
 
     def _frame_start(self) -> int:
         return round((self._frame + 0.5) * MICROFRAMES_PER_S / self._mode.fps)
 
-    def _next_packet(self) -> bytes:
-        mode, index = self._mode, self._index
-        first_byte = index * mode.kind.payload_bytes
-        frame = self._frames[max(self._frame, 0) % len(self._frames)]
-        payload = frame[first_byte : first_byte + mode.kind.payload_bytes]
-        time = self._microframe * _CLOCK_PER_MICROFRAME
-        length = HEADER_BYTES + len(payload)
-        header = encode_header(packet_flag(mode, index), self._sequence, length, time)
-        self._sequence += 1
-        self._microframe += 1
-        self._index += 1
-        if self._index == mode.packets:
+    def _next_packets(self, most: int) -> list[bytes]:
+        """Return the next packets of the frame that is being sent."""
+        steps = np.arange(min(most, self._mode.packets - self._index))
+        run = slice(self._index, self._index + len(steps))
+        packets = np.empty((len(steps), HEADER_BYTES + self._mode.kind.payload_bytes), np.uint8)
+        packets[:, :HEADER_BYTES] = encode_headers(
+            self._flags[run],
+            self._sequence + steps,
+            self._lengths[run],
+            (self._microframe + steps) * _CLOCK_PER_MICROFRAME,
+        )
+        packets[:, HEADER_BYTES:] = self._payloads[run]
+        self._advance(len(steps))
+        sent = [
+            packet[:length].tobytes()
+            for packet, length in zip(packets, self._lengths[run].tolist(), strict=True)
+        ]
+        return [self._spoil(packet) for packet in sent] if self._faults else sent
+
+    def _advance(self, count: int) -> None:
+        self._sequence += count
+        self._microframe += count
+        self._index += count
+        if self._index == self._mode.packets:
             self._index = 0
             self._frame += 1
-        return self._spoil(header + payload) if self._faults else header + payload
+            self._payloads = self._split(self._frames[self._frame % len(self._frames)])
+
+    def _split(self, frame: bytes) -> ByteArray:
+        """Return the payloads of a frame's packets, the last one filled up."""
+        shape = (self._mode.packets, self._mode.kind.payload_bytes)
+        payloads = np.zeros(shape, np.uint8)
+        payloads.reshape(-1)[: len(frame)] = np.frombuffer(frame, np.uint8)
+        return payloads
 
     def _spoil(self, packet: bytes) -> bytes:
         """Apply the faults that are due."""
