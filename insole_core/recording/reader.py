@@ -28,6 +28,7 @@ from insole_core.recording.sensor_folder import (
     corrected_image,
     correction_name,
     file_beside,
+    infrared_moved_raw,
     infrared_shift_px,
     is_metric,
     parse_sensor,
@@ -171,6 +172,7 @@ def _dots(store: Store, folder: str, root: JsonObject, sensor: Sensor) -> DotPic
         read = partial(_read_grey, store, names, decode_grey)
         dots = replace(dots, pictures=InfraredPictures(len(names), read, 16))
         dots = replace(dots, shift_px=infrared_shift_px(root) or dots.shift_px)
+        dots = replace(dots, moved_raw=infrared_moved_raw(root))
     except InputError as error:
         dots = replace(dots, picture_fault=error.message)
     try:

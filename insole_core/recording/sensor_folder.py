@@ -26,6 +26,7 @@ from insole_core.sensing.correction import (
     load_correction,
 )
 from insole_core.sensing.disparity import (
+    NO_READING,
     DisparityModel,
     FactoryDisparity,
     LinearInverseDisparity,
@@ -51,8 +52,7 @@ _MOST_MM, _MOST_PX, _MOST_DISTORTION = 1e4, 1e5, 1e3
 SENSOR_FILE = "sensor.json"
 CORRECTION_FILE = "correction.npz"
 REFERENCE_FILE = "reference.npz"
-INFRARED_SHIFT = "infrared_shift_px"
-"""Four times the half of a sensor's matching window, by which its depth image is shifted."""
+INFRARED_SHIFT, INFRARED_MOVED = "infrared_shift_px", "infrared_moved_raw"
 
 
 def parse_sensor(root: JsonObject, correction: DisparityCorrection | None) -> Sensor:
@@ -189,6 +189,19 @@ def infrared_shift_px(root: JsonObject) -> tuple[float, float] | None:
     if not root.has(INFRARED_SHIFT):
         return None
     return root.pair(INFRARED_SHIFT, MOST_SHIFT_PX)
+
+
+def infrared_moved_raw(root: JsonObject) -> float | None:
+    """Return by how much depth had changed when infrared pictures were taken (see `DotPictures`).
+
+    Raises
+    ------
+    InputError
+        When the key holds anything else.
+    """
+    if not root.has(INFRARED_MOVED):
+        return None
+    return root.number(INFRARED_MOVED, 0, NO_READING)
 
 
 def sensor_json(sensor: Sensor, correction: str | None) -> dict[str, Any]:
@@ -378,7 +391,7 @@ def write_sensor(
     times : optional
         Of the frames beside it.
     dots : optional
-        The infrared pictures beside it, of which pattern and shift are written.
+        The infrared pictures beside it, of which all but the pictures is written.
 
     Raises
     ------
@@ -396,6 +409,8 @@ def write_sensor(
         values["frame_times_ms"] = {"depth": times.depth_ms, "color": times.color_ms}
     if dots is not None and any(dots.shift_px):
         values[INFRARED_SHIFT] = dots.shift_px
+    if dots is not None and dots.moved_raw is not None:
+        values[INFRARED_MOVED] = round(dots.moved_raw, 3)
     if dots is not None and dots.reference is not None:
         values["infrared_reference"] = REFERENCE_FILE
         dots.reference.save(folder / REFERENCE_FILE)

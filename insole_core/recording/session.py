@@ -199,6 +199,9 @@ class DotPictures:
         None without one, or where it cannot be read.
     shift_px : (u, v)
         What the depth image shows at a pixel, the pictures show so much further right and down.
+    moved_raw
+        By how much depth had changed when they were taken, where it changed most; None where
+        nobody looked.
     picture_fault, pattern_fault
         Why pictures or pattern cannot be used, a sentence; empty where they can.
     """
@@ -206,6 +209,7 @@ class DotPictures:
     pictures: InfraredPictures | None = None
     reference: InfraredReference | None = None
     shift_px: tuple[float, float] = (0.0, 0.0)
+    moved_raw: float | None = None
     picture_fault: str = ""
     pattern_fault: str = ""
 

@@ -338,11 +338,12 @@ class CaptureRunner:
         calibrated = self._calibrated[view]
         faults = () if infrared is None else infrared.check()
         warnings = (*calibrated.warnings, *series.check(), *faults)
-        if infrared is None or faults:
-            calibrated = replace(calibrated, dots=None)
-        else:
+        dots = None
+        if infrared is not None and calibrated.dots is not None and not faults:
+            dots = replace(calibrated.dots, moved_raw=infrared.moved_raw)
             for index, picture in enumerate(infrared.pictures):
                 self._draft.add_infrared(view, index, picture)
+        calibrated = replace(calibrated, dots=dots)
         settled_after_s = series.stabilisation.settled_after_s or 0.0
         warm_s = time.monotonic() - series.sensor.on_since_s
         facts = ViewFacts(

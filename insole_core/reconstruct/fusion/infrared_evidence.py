@@ -61,12 +61,15 @@ class InfraredView:
         Number of its pixels across a reading.
     usual_noise
         Of picture minus pattern, relative to that of a picture and a learnt pattern.
+    moved_raw
+        As of `DotPictures`.
     """
 
     picture: Float32Array
     reference: InfraredReference
     finer: int = 1
     usual_noise: float = 1.0
+    moved_raw: float | None = None
 
     @cached_property
     def sharpened(self) -> Float32Array:

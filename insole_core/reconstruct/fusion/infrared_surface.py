@@ -37,6 +37,8 @@ class InfraredUse:
         By how much its pattern lies elsewhere on the first surface as a whole, raw units.
     bright, noisy
         Share of the foot's pixels on which it counts less for other light, or for noise.
+    moved_raw
+        As of `DotPictures`.
     """
 
     share: float
@@ -44,6 +46,7 @@ class InfraredUse:
     drift_raw: float = 0.0
     bright: float = 0.0
     noisy: float = 0.0
+    moved_raw: float | None = None
 
     @property
     def trusted(self) -> float:
@@ -87,10 +90,10 @@ def by_infrared(
 
         asked = [seen for seen in seeing if uses.get(seen[0].reading.name, _UNKNOWN).used]
         observations = []
-        for (view, _), evidence in zip(asked, for_views(compare, asked), strict=True):
+        for (view, infrared), evidence in zip(asked, for_views(compare, asked), strict=True):
             name, seen = view.reading.name, evidence.observations
             before = uses.get(name)
-            first = _first_use(evidence) if before is None else before
+            first = _first_use(infrared, evidence) if before is None else before
             uses[name] = use = replace(
                 first, share=evidence.share, bright=evidence.bright, noisy=evidence.noisy
             )
@@ -103,8 +106,9 @@ def by_infrared(
     return refine_near(surface, observed), uses
 
 
-def _first_use(evidence: Evidence) -> InfraredUse:
+def _first_use(infrared: InfraredView, evidence: Evidence) -> InfraredUse:
     seen = evidence.observations
     total = seen.information.sum()
     drift_raw = float(seen.information @ seen.residuals / total) if total else 0.0
-    return InfraredUse(evidence.share, evidence.share >= LEAST_SHARE, drift_raw)
+    used = evidence.share >= LEAST_SHARE
+    return InfraredUse(evidence.share, used, drift_raw, moved_raw=infrared.moved_raw)

@@ -27,6 +27,23 @@ _NOISY = (
     "noise covers the dots, and the deviation stated there is larger; see that emitter and lens "
     "are clean and the skin is dry and matt, and move the sensor nearer."
 )
+_MOVED = (
+    "View {view}: the foot moved a little between its depth and its infrared pictures: depth "
+    "changed by {moved:.2f} px. Hold the foot still, and take the view again."
+)
+_DRIFTED = (
+    "View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, though "
+    "nothing moved between the two, so the sensor's pattern of dots has drifted. Its own depth was "
+    "taken for the distance of the whole; learn the pattern again by calibrate infrared."
+)
+_MOVED_OR_DRIFTED = (
+    "View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, "
+    "which was taken for the distance of the whole: the foot moved a little between "
+    "the two, or the sensor has drifted. Take the view again; if it is told again, "
+    "calibrate the sensor again, the pattern of a Kinect by calibrate infrared."
+)
+_MOVED_RAW = 0.4
+"""Half a millimetre; without movement the noise of depth makes up to 0.25."""
 
 
 def infrared_view(view: View) -> InfraredView | None:
@@ -54,7 +71,7 @@ def infrared_view(view: View) -> InfraredView | None:
     mean = dots.pictures.mean()
     check_picture(mean)
     placed = on_depth_pixels(mean, dots.shift_px)
-    return InfraredView(placed.astype(np.float32), dots.reference)
+    return InfraredView(placed.astype(np.float32), dots.reference, moved_raw=dots.moved_raw)
 
 
 def unused_pictures(
@@ -131,14 +148,21 @@ def infrared_warnings(
     ]
     told += [
         Message(
-            "View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, "
-            "which was taken for the distance of the whole: the foot moved a little between "
-            "the two, or the sensor has drifted. Take the view again; if it is told again, "
-            "calibrate the sensor again, the pattern of a Kinect by calibrate infrared.",
+            sentence,
             view=name,
             drift=abs(use.drift_raw) / RAW_PER_PX,
+            moved=(use.moved_raw or 0.0) / RAW_PER_PX,
         )
         for name, use in infrared.items()
-        if use.used and use.has_drifted
+        if use.used and (sentence := _why_off(use))
     ]
     return told
+
+
+def _why_off(use: InfraredUse) -> str:
+    """Return what tells that foot or pattern moved; empty when neither did."""
+    if use.moved_raw is not None and use.moved_raw > _MOVED_RAW:
+        return _MOVED
+    if not use.has_drifted:
+        return ""
+    return _MOVED_OR_DRIFTED if use.moved_raw is None else _DRIFTED

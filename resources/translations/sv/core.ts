@@ -4868,6 +4868,10 @@
             <translation>Vyn {view} spelades in med sensor {serial}, som aldrig kalibrerats här; kalibrera den först.</translation>
         </message>
         <message>
+            <source>View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, though nothing moved between the two, so the sensor's pattern of dots has drifted. Its own depth was taken for the distance of the whole; learn the pattern again by calibrate infrared.</source>
+            <translation>Vy {view}: dess infraröda bilder ligger {drift:.2f} px från sensorns eget djup, fast inget rörde sig mellan de två, så sensorns punktmönster har drivit. Dess eget djup fick avgöra avståndet i stort; lär in mönstret igen med calibrate infrared.</translation>
+        </message>
+        <message>
             <source>View {view}: its infrared pictures lie {drift:.2f} px off the sensor's own depth, which was taken for the distance of the whole: the foot moved a little between the two, or the sensor has drifted. Take the view again; if it is told again, calibrate the sensor again, the pattern of a Kinect by calibrate infrared.</source>
             <translation>Vy {view}: dess infraröda bilder ligger {drift:.2f} px från sensorns eget djup, som fick avgöra avståndet i stort: foten rörde sig lite mellan de två, eller så har sensorn drivit. Ta vyn igen; sägs det åter, kalibrera sensorn igen, en Kinects mönster med calibrate infrared.</translation>
         </message>
@@ -4886,6 +4890,10 @@
         <message>
             <source>View {view}: on {share:.0%} of the foot its infrared pictures were trusted less, because noise covers the dots, and the deviation stated there is larger; see that emitter and lens are clean and the skin is dry and matt, and move the sensor nearer.</source>
             <translation>Vy {view}: på {share:.0%} av foten var dess infraröda bilder mindre att lita på, eftersom brus döljer punkterna, och den angivna avvikelsen där är större; se till att projektor och lins är rena och huden torr och matt, och flytta sensorn närmare.</translation>
+        </message>
+        <message>
+            <source>View {view}: the foot moved a little between its depth and its infrared pictures: depth changed by {moved:.2f} px. Hold the foot still, and take the view again.</source>
+            <translation>Vy {view}: foten rörde sig lite mellan vyns djup och dess infraröda bilder: djupet ändrades {moved:.2f} px. Håll foten stilla och ta vyn igen.</translation>
         </message>
         <message>
             <source>View {view}: {warning}</source>

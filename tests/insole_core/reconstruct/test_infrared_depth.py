@@ -161,19 +161,23 @@ def test_where_light_or_noise_covers_the_dots_is_told(
 def test_a_pattern_that_drifted_is_told_and_moves_nothing(
     dotted: Session, fused: Reconstruction, truth: TriangleMesh
 ) -> None:
+    """Depth tells whether the foot moved before the pictures were taken, where it was asked."""
     views = []
-    for view in dotted.views:
+    for view, moved_raw in zip(dotted.views, (None, 0.2, 0.9), strict=True):
         assert view.dots is not None
         assert view.dots.reference is not None
         drifted = DisparityCorrection(view.dots.reference.correction.offset + np.float32(1.2))
         reference = replace(view.dots.reference, correction=drifted)
-        views.append(replace(view, dots=replace(view.dots, reference=reference)))
+        dots = replace(view.dots, reference=reference, moved_raw=moved_raw)
+        views.append(replace(view, dots=dots))
     made = reconstruct(replace(dotted, views=tuple(views)))
 
     assert mean_error_mm(made, truth) < 0.95 * mean_error_mm(fused, truth)
-    told = [warning for warning in made.warnings if "lie 0.1" in warning]
-    assert len(told) == len(views)
-    assert all("the foot moved a little between the two, or" in warning for warning in told)
+    unknown, still = (warning for warning in made.warnings if "lie 0.1" in warning)
+    (moved,) = (warning for warning in made.warnings if "depth changed by 0.11 px" in warning)
+    assert "the foot moved a little between the two, or the sensor has drifted" in unknown
+    assert "though nothing moved between the two, so the sensor's pattern of dots" in still
+    assert moved.startswith(f"View {views[2].name}: the foot moved a little between its depth")
 
 
 def test_pictures_of_another_pose_are_told_and_change_nothing(
@@ -323,9 +327,17 @@ def _far_shifted(view: Path) -> None:
     _shift(view, 400)
 
 
+def _far_moved(view: Path) -> None:
+    _write(view, "infrared_moved_raw", 4000)
+
+
 def _shift(view: Path, px: float) -> None:
+    _write(view, "infrared_shift_px", [px, 3.9])
+
+
+def _write(view: Path, key: str, value: Any) -> None:
     values = json.loads((view / "sensor.json").read_text())
-    (view / "sensor.json").write_text(json.dumps({**values, "infrared_shift_px": [px, 3.9]}))
+    (view / "sensor.json").write_text(json.dumps({**values, key: value}))
 
 
 @contextmanager
@@ -343,10 +355,11 @@ def kept(view: Path) -> Iterator[Path]:
 def written(dotted: Session, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The session as a folder, one view with its infrared picture."""
     folder = tmp_path_factory.mktemp("written") / "session"
-    first, *others = dotted.views
-    write_session(
-        replace(dotted, views=(first, *(replace(view, dots=None) for view in others))), folder
-    )
+    first, *others = (replace(view, dots=None) for view in dotted.views)
+    dots = dotted.views[0].dots
+    assert dots is not None
+    first = replace(first, dots=replace(dots, moved_raw=0.125))
+    write_session(replace(dotted, views=(first, *others)), folder)
     return folder
 
 
@@ -360,6 +373,7 @@ def test_pictures_and_pattern_are_read_as_they_were_written(dotted: Session, wri
     assert after.pictures is not None
     assert after.reference is not None
     np.testing.assert_array_equal(after.pictures.read(0), before.pictures.read(0))
+    assert after.moved_raw == 0.125
     np.testing.assert_allclose(
         after.reference.pattern, before.reference.pattern, rtol=1e-3, atol=1e-3
     )
@@ -374,6 +388,7 @@ def test_pictures_and_pattern_are_read_as_they_were_written(dotted: Session, wri
         (_foreign, "is the pattern of sensor SOMEBODY"),
         (_without, "reference.npz is missing"),
         (_far_shifted, "infrared_shift_px"),
+        (_far_moved, "infrared_moved_raw"),
     ],
 )
 def test_what_is_wrong_with_infrared_spoils_no_session(
@@ -402,5 +417,6 @@ def test_a_copy_keeps_what_is_beside_a_fault(written: Path, tmp_path: Path) -> N
     assert after.reference is not None
     assert after.reference.record.serial == "SOMEBODY"
     assert after.shift_px == before.shift_px == (4.8, 3.9)
+    assert after.moved_raw == before.moved_raw == 0.125
     assert after.pictures is not None
     assert "is the pattern of sensor SOMEBODY" in after.fault

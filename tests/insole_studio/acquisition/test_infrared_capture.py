@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -95,6 +96,7 @@ def test_sensors_with_a_pattern_take_infrared_of_the_same_pose(bench: Bench) -> 
         assert view.dots.reference is not None
         assert not view.dots.fault
         assert view.dots.shift_px == SHIFT_PX
+        assert view.dots.moved_raw == 0
         assert view.dots.reference.record.serial == view.sensor.serial
         read = [view.dots.pictures.read(index) for index in range(view.dots.pictures.count)]
         sent = [picture[:480] for picture in infrared_pictures(seed)]
@@ -177,6 +179,22 @@ def test_movement_and_pictures_without_dots_are_told(
     assert all(warning.startswith(told) for warning in warnings)
 
 
+def test_how_far_depth_moved_before_the_pictures_is_known() -> None:
+    """Of a part of the picture, the edges of which flicker."""
+    still = depth_frames(0)
+    rows, columns = slice(200, 280), slice(300, 500)
+
+    def after(further: int) -> list[RawArray]:
+        frames = [frame.copy() for frame in still]
+        for number, frame in enumerate(frames):
+            frame[rows, columns] += np.uint16(further)
+            frame[rows, 300:308] = 300 if number % 2 else 2047
+        return frames
+
+    picture = np.full((480, 640), 300, np.uint16)
+    assert [taken(still, after(further), picture).moved_raw for further in (0, 1)] == [0, 1]
+
+
 def test_an_emulated_session_delivers_its_infrared_bit_for_bit(
     small_session: Path, tmp_path: Path
 ) -> None:
@@ -200,6 +218,10 @@ def test_an_emulated_session_delivers_its_infrared_bit_for_bit(
             assert found.reference is not None
             assert found.shift_px == (1, 2)
             assert np.array_equal(found.reference.pattern, pattern("").pattern)
+        elif name == "sensor.json":
+            values = json.loads(kept.read_text())
+            assert 0 <= values.pop("infrared_moved_raw") < 0.35
+            assert values == json.loads((original / "views" / view.name / name).read_text())
         else:
             assert kept.read_bytes() == (original / "views" / view.name / name).read_bytes()
     assert not list(out.glob(f"views/{session.views[1].name}/infrared*"))
