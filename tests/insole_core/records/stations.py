@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import sqlite3
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from weakref import WeakKeyDictionary
 
 import pytest
 from argon2 import PasswordHasher
+from sqlalchemy import Engine, event
 
 from insole_core.cases.stored_mesh import pack_mesh
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.records import passwords, prescriptions
+from insole_core.records import database, passwords, prescriptions
 from insole_core.records.accounts import Account, Accounts
 from insole_core.records.author import Author, Proof, Role
 from insole_core.records.database import Database
@@ -37,7 +40,11 @@ def add_member(accounts: Accounts, name: str, full_name: str, role: Role, passwo
 
 
 def keep_quickly(patch: pytest.MonkeyPatch) -> None:
-    """Hash passwords, and pack a surface again, in less time than the product takes to."""
+    """Do in less time than the product what each record of a test would need again.
+
+    Passwords are hashed quickly, a surface is packed once, a statement is compiled once for all
+    records, and what SQLite keeps is not waited for: no test cuts the power.
+    """
     packed: WeakKeyDictionary[TriangleMesh, bytes] = WeakKeyDictionary()
 
     def pack_once(mesh: TriangleMesh) -> bytes:
@@ -47,6 +54,36 @@ def keep_quickly(patch: pytest.MonkeyPatch) -> None:
 
     patch.setattr(passwords, "_HASHER", PasswordHasher(1, 8, 1))
     patch.setattr(prescriptions, "pack_mesh", pack_once)
+    patch.setattr(database, "_engine", _sharing_compiled(database._engine))
+    patch.setattr(database, "_connect_file", unsynced)
+
+
+SYNCED = database._connect_file
+
+
+def unsynced(path: Path, read_only: bool) -> sqlite3.Connection:
+    """Open a database as the product does, but for the disk."""
+    connection = SYNCED(path, read_only)
+    if not read_only:
+        connection.execute("PRAGMA synchronous=OFF")
+    return connection
+
+
+def _sharing_compiled(make: Callable[..., Engine]) -> Callable[..., Engine]:
+    """Let engines share the statements that one of their kind has compiled."""
+    first: dict[str, Engine] = {}
+
+    def shared(place: RecordsPlace, read_only: bool) -> Engine:
+        engine = make(place, read_only)
+        known = first.get(engine.dialect.name)
+        if known is None:  # until one is connected, nothing is known of its database
+            event.listen(engine, "connect", lambda *_: first.setdefault(engine.name, engine))
+        else:
+            engine.dialect = engine.pool._dialect = known.dialect
+            engine._compiled_cache = known._compiled_cache
+        return engine
+
+    return shared
 
 
 def make_tables(place: RecordsPlace) -> None:

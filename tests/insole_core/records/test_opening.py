@@ -17,7 +17,7 @@ from psycopg.errors import OperationalError, TooManyConnections
 from record_samples import SCHEMAS, place_of_sample, write_newest
 from sqlalchemy import text
 from sqlalchemy.exc import DBAPIError
-from stations import ANNA, BEN, Stations
+from stations import ANNA, BEN, SYNCED, Stations
 
 from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.records import database as database_module
@@ -47,7 +47,10 @@ def test_a_new_record_is_private(tmp_path: Path) -> None:
     records.close()
 
 
-def test_settings_of_sqlite_survive_a_power_failure(local_place: RecordsPlace) -> None:
+def test_settings_of_sqlite_survive_a_power_failure(
+    local_place: RecordsPlace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("insole_core.records.database._connect_file", SYNCED)
     database = Database(local_place)
     with database.writing() as connection:
         found = {
