@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-import scipy
 
 from insole_core.contact.load_case import LOAD_CASES, LoadCase, Posture
 from insole_core.contact.pressing import Pressed
@@ -38,8 +37,6 @@ GROUPS = {
 WEIGHT_KG = Range(5, 250, "kg")
 MOST_SHOWN = 100.0
 """Per cent; a map shows no greater changes."""
-_SENSOR_MM = 10.0
-"""Side of a usual sensor: peaks are those of the mean over so much, as a measurement shows them."""
 _MODEL_SHARE, _MODEL_POINTS = 0.2, 2.0
 """Standard deviation of the model itself: a share of each change, and points of per cent. By it,
 published series lie within the limits; see the page on pressure changes."""
@@ -193,15 +190,15 @@ class Change:
         is_same = self.loading == loading and self.assumed == assumed
         return is_same and self.grounds[0].is_like(old)
 
-    @cached_property
+    @property
     def old_kpa(self) -> FloatArray:
         """(ny, nx) as sensors show it."""
-        return as_sensed(self.sole, self.old.mpa)
+        return self.old.sensed_kpa
 
-    @cached_property
+    @property
     def new_kpa(self) -> FloatArray:
         """(ny, nx) as sensors show it."""
-        return as_sensed(self.sole, self.new.mpa)
+        return self.new.sensed_kpa
 
     @cached_property
     def percent(self) -> FloatArray:
@@ -296,24 +293,28 @@ class Change:
 
 
 def inside(sole: Sole, name: str) -> BoolArray:
-    """(ny, nx) which nodes of a sole belong to one of `GROUPS`."""
-    return np.asarray(np.any([sole.masks[number] for number in _numbers(name)], axis=0))
+    """(ny, nx) which nodes of a sole belong to one of `GROUPS`; kept with the sole."""
+
+    def find() -> BoolArray:
+        return np.asarray(np.any([sole.masks[number] for number in _numbers(name)], axis=0))
+
+    return sole.derived.get("inside", name, find)
+
+
+def _level_and_tilts(sole: Sole, name: str) -> FloatArray:
+    """(n, 3) heights of the nodes in one of `GROUPS` under which its form stays, orthonormal."""
+
+    def find() -> FloatArray:
+        rows, columns = np.nonzero(inside(sole, name))
+        motions = np.column_stack([np.ones(len(rows)), columns, rows])
+        return np.asarray(np.linalg.qr(motions).Q)
+
+    return sole.derived.get("level and tilts", name, find)
 
 
 def _numbers(name: str) -> list[int]:
     """Return the numbers of the regions in one of `GROUPS`."""
     return [REGIONS.index(region) for region in GROUPS[name]]
-
-
-def as_sensed(sole: Sole, mpa: FloatArray) -> FloatArray:
-    """(ny, nx) kPa, mean over squares of `_SENSOR_MM` about each node, whatever the grid's step."""
-    steps = _SENSOR_MM / sole.field.step_mm
-    whole = 2 * int((steps - 1) // 2) + 1
-    inner = scipy.ndimage.uniform_filter(mpa, whole, mode="constant")
-    outer = scipy.ndimage.uniform_filter(mpa, whole + 2, mode="constant")
-    share = (steps**2 - whole**2) / ((whole + 2) ** 2 - whole**2)
-    by_area = (1 - share) * whole**2 * inner + share * (whole + 2) ** 2 * outer
-    return np.asarray(1000 * by_area / steps**2)
 
 
 @dataclass(frozen=True)
@@ -463,10 +464,9 @@ def _varied(usual: Change, assumed: Assumptions) -> Change | None:
 def _unevenly_raised_mm(sole: Sole, grounds: tuple[Ground, Ground], name: str) -> float:
     """Return how much another form a region has on the new ground, whatever its level and tilt."""
     old, new = grounds
-    rows, columns = np.nonzero(inside(sole, name))
-    raised = (new.top_mm - old.top_mm)[rows, columns]
-    plane = np.column_stack([np.ones(len(rows)), columns, rows])
-    off = raised - plane @ np.linalg.lstsq(plane, raised, rcond=None)[0]
+    raised = (new.top_mm - old.top_mm)[inside(sole, name)]
+    motions = _level_and_tilts(sole, name)
+    off = raised - motions @ (motions.T @ raised)
     return float(np.ptp(off)) if len(off) else 0.0
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 
-from insole_core.contact.change import Assumptions, Loading, as_sensed, inside
+from insole_core.contact.change import Assumptions, Loading, inside
 from insole_core.contact.stance import shoe_floor
 from insole_core.errors import InputError
 from insole_core.geometry.arrays import FloatArray
@@ -87,7 +87,7 @@ def fit_tissue(loading: Loading, laid: PressureMap, progress: Progress = SILENT)
     def computed(logarithms: FloatArray) -> FloatArray:
         heel, forefoot = np.exp(np.clip(logarithms, *_BOUNDS))
         tissue = begun.tissue.scaled(heel=float(heel), forefoot=float(forefoot))
-        return as_sensed(sole, loading.pressed(floor, replace(begun, tissue=tissue)).mpa)
+        return loading.pressed(floor, replace(begun, tissue=tissue)).sensed_kpa
 
     def off(logarithms: FloatArray) -> float:
         progress.step(0.5, "Loading the foot")
@@ -110,7 +110,7 @@ def fit_tissue(loading: Loading, laid: PressureMap, progress: Progress = SILENT)
 def _check_side(loading: Loading, laid: PressureMap, kpa: FloatArray, begun: Assumptions) -> None:
     """Refuse a map whose mirror image, about the load's centre, is more like this foot's."""
     sole = loading.sole
-    usual = as_sensed(sole, loading.pressed(shoe_floor(sole), begun).mpa)
+    usual = loading.pressed(shoe_floor(sole), begun).sensed_kpa
     centre_mm = begun.moved_mm[0] * sole.foot.side.medial_sign
     points = sole.field.nodes[:, :2] * [-1.0, 1.0] + [2 * centre_mm, 0.0]
     mirrored = np.nan_to_num(laid.at(points)).reshape(kpa.shape)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 import numpy.typing as npt
@@ -38,6 +38,8 @@ _SLIGHT = 1e-3
 """Of the greatest pressure and sinking: less of it, of the wrong sign, changes nothing."""
 _SAME = 2e-3
 """Strain of the tissue that may still change."""
+_SENSOR_MM = 10.0
+"""Side of a usual sensor: peaks are those of the mean over so much, as a measurement shows them."""
 _FOLLOWED, _FOLLOWED_SAME, _FOLLOWED_ROUNDS = 1e-2, 1e-2, 3
 """As `_FINE`, `_SAME` and `_ROUNDS`, while a support is followed as it is drawn: by steps of which
 none changes more than `_FEW` of what touches."""
@@ -87,6 +89,8 @@ class Pressed:
         Of the bone at the load's centre.
     slope
         Of the bone, along x and y.
+    step_mm
+        Distance of the nodes.
     """
 
     mpa: FloatArray
@@ -94,6 +98,18 @@ class Pressed:
     strain: FloatArray
     sinking_mm: float
     slope: tuple[float, float]
+    step_mm: float
+
+    @cached_property
+    def sensed_kpa(self) -> FloatArray:
+        """(ny, nx) kPa as sensors show it: means over squares of `_SENSOR_MM` about nodes."""
+        steps = _SENSOR_MM / self.step_mm
+        whole = 2 * int((steps - 1) // 2) + 1
+        inner = scipy.ndimage.uniform_filter(self.mpa, whole, mode="constant")
+        outer = scipy.ndimage.uniform_filter(self.mpa, whole + 2, mode="constant")
+        share = (steps**2 - whole**2) / ((whole + 2) ** 2 - whole**2)
+        by_area = (1 - share) * whole**2 * inner + share * (whole + 2) ** 2 * outer
+        return np.asarray(1000 * by_area / steps**2)
 
 
 class Support:
@@ -221,12 +237,12 @@ class _Search:
         touches = self._sole
         if start is not None:
             mpa, strain, touches = start.mpa, start.strain, self._sole & (start.mpa > 0)
-            if follows:
-                rounds, finest, same = _FOLLOWED_ROUNDS, _FOLLOWED, _FOLLOWED_SAME
-        for _ in range(rounds):
+        if follows:
+            rounds, finest, same = _FOLLOWED_ROUNDS, _FOLLOWED, _FOLLOWED_SAME
+        while rounds > 0:
+            rounds -= 1
             roots, bone = support.roots(strain), _Bone(self._motions, touches)
-            mpa = self._balanced(mpa, bone, roots, finest if fine else _ROUGH)
-            beds = support.sunk(mpa, roots)
+            mpa, beds = self._balanced(mpa, bone, roots, finest if fine else _ROUGH)
             sunk = beds.sum(axis=0)
             motion = bone.motion(self._gap + sunk)
             overlap = np.tensordot(motion, self._motions, 1) - self._gap - sunk
@@ -234,7 +250,8 @@ class _Search:
             after = self._sole & np.where(touches, stays, joins)
             changed, touches = int((after != touches).sum()), after
             if follows and changed > _FEW * touches.sum():
-                return self.found(start, follows=False)  # the step is too long to be followed
+                follows = False  # the step is too long for that: the search goes on from here
+                rounds, finest, same = _ROUNDS, _FINE, _SAME
             before, strain = strain, support.strain(beds, strain)
             is_settled = follows or changed == 0
             if fine and is_settled and np.abs(strain - before).max() < same:
@@ -250,31 +267,35 @@ class _Search:
                 "missing in the scan, so scan the whole sole."
             )
         slope = float(motion[1] / self._length), float(motion[2] / self._length)
-        return Pressed(mpa, support.layers_sunk(beds), strain, float(motion[0]), slope)
+        return Pressed(
+            mpa, support.layers_sunk(beds), strain, float(motion[0]), slope, support.step_mm
+        )
 
     def _balanced(
         self, mpa: FloatArray, bone: _Bone, roots: FloatArray, left_over: float
-    ) -> FloatArray:
-        """Return the pressures under which what touches lies together; some may be negative.
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the pressures under which what touches lies together, and how the beds sink.
 
-        Every step of the conjugate gradients keeps load and centre.
+        Some may be negative. Every step of the conjugate gradients keeps load and centre.
         """
         touches = bone.touches
         mpa = bone.with_sums(mpa * touches, self._sums)
-        sunk = self._support.sunk(mpa, roots).sum(axis=0) * touches
+        beds = self._support.sunk(mpa, roots)
+        sunk = beds.sum(axis=0) * touches
         least = left_over**2 * _square(sunk)
         left = bone.without_motion(-self._gap * touches - sunk)
         way, size = left, _square(left)
         for _ in range(_STEPS):
             if size <= least:
                 break
-            answer = self._support.sunk(way, roots).sum(axis=0) * touches
+            answers = self._support.sunk(way, roots)
+            answer = answers.sum(axis=0) * touches
             along = size / float((way * answer).sum())
-            mpa = mpa + along * way
+            mpa, beds = mpa + along * way, beds + along * answers
             left = bone.without_motion(left - along * answer)
             before, size = size, _square(left)
             way = left + (size / before) * way
-        return mpa
+        return mpa, beds
 
     def _is_centred(self, mpa: FloatArray) -> bool:
         off = np.tensordot(self._motions[1:], mpa, 2) / mpa.sum() * self._length

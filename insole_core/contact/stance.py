@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -21,6 +22,7 @@ from insole_core.insole.outline.shoe_outline import last_heights_mm
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.primitives.height_field import HeightField
 from insole_core.insole.surface.contact import sole_surface
+from insole_core.memo import Memo
 from insole_core.messages import Message
 from insole_core.pressure.alignment import CELL_MM, SolePrint
 from insole_core.pressure.regions import REGIONS, regions_of
@@ -38,6 +40,7 @@ _NEEDED = ((0.06, 0.24, "heel", 0.06), (0.58, 0.76, "ball", 0.1))
 """Shares of the length between which the scan must show the foot, and how wide on either side."""
 _ROWS = 0.8
 _TOES = (0.86, 0.95)
+_KEPT = 16
 _BEHIND_HEADS = 0.04
 """Share of the length: pads press behind the heads, and relieve the heads themselves."""
 _WITH_WEIGHT = Message(
@@ -81,6 +84,10 @@ def check_weight(weight_bearing: str) -> None:
         )
 
 
+def _cache() -> Memo:
+    return Memo(_KEPT)
+
+
 @dataclass(frozen=True, eq=False)
 class Sole:
     """The unloaded sole on the nodes of a grid.
@@ -93,12 +100,15 @@ class Sole:
         Nodes that can touch.
     landmarks
         Of the foot; by them heel, heads and toes are told apart.
+    derived
+        Cache of what follows of it.
     """
 
     foot: Foot
     field: HeightField
     known: BoolArray
     landmarks: Landmarks
+    derived: Memo = dataclasses.field(default_factory=_cache, init=False, repr=False)
 
     @classmethod
     def of(

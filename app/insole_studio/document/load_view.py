@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from PySide6.QtCore import QObject, Signal
 
@@ -98,11 +99,11 @@ class _Task:
     laid: PressureMap | None
     is_at_rest: bool
 
-    @property
+    @cached_property
     def sole(self) -> Sole:
         return Sole.of(self.foot, landmarks=landmarks_of(self.marked))
 
-    @property
+    @cached_property
     def loading(self) -> Loading:
         return Loading(self.sole, self.question.weight_kg, self.question.posture)
 

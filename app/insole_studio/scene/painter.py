@@ -88,6 +88,8 @@ class Painter:
         """Geometry and style of the shown marks; a mark that keeps both only moves."""
         self._in_front: dict[str, pv.PolyData] = {}
         """The points of those marks."""
+        self._actors: dict[str, Any] = {}
+        """Those that are drawn, by name: the plotter would look through all of them."""
         self._texts: dict[str, Callable[[], None]] = {}
         """Functions that redraw the shown texts."""
         self._tags = NameTags(plotter)
@@ -129,6 +131,7 @@ class Painter:
         self._labels.clear()
         self._named = ()
         self._tags.show((), NAME_PX, self.scheme.text, self.scheme.bottom)
+        self._actors.clear()
         self._plotter.renderer.clear_actors()
 
     def set_pixel_ratio(self, ratio: float) -> None:
@@ -158,7 +161,7 @@ class Painter:
 
     def _recolor(self, name: str, before: Scheme) -> None:
         """Recolour an actor from the previous colour scheme to the current one."""
-        actor = self._plotter.actors.get(name)
+        actor = self._actors.get(name)
         for role in ("accent", "mark", "alarm"):
             if actor is not None and actor.prop.color == pv.Color(getattr(before, role)):
                 actor.prop.color = getattr(self.scheme, role)
@@ -179,16 +182,14 @@ class Painter:
             By default the mesh's own colours, or those of the material.
         """
         self._mesh = mesh
-        self._plotter.remove_actor("surface", render=False)
+        self._remove("surface")
         self._surface = None
         if mesh is None or len(mesh.triangles) == 0:
             return
         self._surface = polydata(mesh)
-        self._plotter.add_mesh(
+        self._add(
             self._surface,
             name="surface",
-            render=False,
-            reset_camera=False,
             smooth_shading=False,
             specular=0.0,
             style="wireframe" if self._wireframe else "surface",
@@ -226,44 +227,43 @@ class Painter:
         if self._mesh.triangles is not mesh.triangles or _kind(coloring) != self._colored:
             return False
         self._mesh = mesh
-        which = slice(None) if moved is None else moved
-        self._surface.points[which] = mesh.vertices[which]
-        self._surface.point_data["Normals"][which] = normals[which]
+        if moved is None or len(moved):  # what did not move need not be handed over again
+            which = slice(None) if moved is None else moved
+            self._surface.points[which] = mesh.vertices[which]
+            self._surface.point_data["Normals"][which] = normals[which]
         if coloring is not None and coloring.painted is not None:
             self._surface.point_data["painted"][:] = coloring.painted
         elif coloring is not None:
             self._surface.point_data["values"][:] = coloring.values
-            self._plotter.actors["surface"].mapper.scalar_range = coloring.limits
+            self._limit_to(coloring.limits)
         self._surface.Modified()
         return True
 
     def show_moved(self, step: FloatArray | None) -> None:
         """Show the surface moved by a transform (4, 4); None shows it in place."""
-        actor = self._plotter.actors.get("surface")
+        actor = self._actors.get("surface")
         if actor is not None:
             actor.user_matrix = np.eye(4) if step is None else step
 
     def show_wireframe(self, shown: bool) -> None:
         """Show only the triangles' edges, or the whole surface."""
         self._wireframe = shown
-        actor = self._plotter.actors.get("surface")
+        actor = self._actors.get("surface")
         if actor is not None:
             actor.prop.style = "wireframe" if shown else "surface"
 
     def show_ghost(self, mesh: TriangleMesh | None) -> None:
         """Show a second, translucent surface; None removes it."""
-        self._plotter.remove_actor("ghost", render=False)
+        self._remove("ghost")
         if mesh is None:
             return
-        self._plotter.add_mesh(
+        self._add(
             polydata(mesh),
             name="ghost",
             color=self.scheme.accent,
             opacity=GHOST_OPACITY,
             specular=0.0,
             smooth_shading=False,
-            reset_camera=False,
-            render=False,
         )
 
     def show_contours(self, lines: ContourLines | None) -> None:
@@ -276,19 +276,17 @@ class Painter:
         self._show_contour_labels()
 
     def _draw_contour(self, name: str, segments: FloatArray) -> None:
-        self._plotter.remove_actor(name, render=False)
+        self._remove(name)
         if len(segments) == 0:
             return
         opacity, width = CONTOURS[name]
-        self._plotter.add_mesh(
+        self._add(
             pv.line_segments_from_points(segments.reshape(-1, 3)),
             name=name,
             color=CONTOUR,
             opacity=opacity,
             line_width=width * self._ratio,
             lighting=False,
-            reset_camera=False,
-            render=False,
         )
 
     def _show_contour_labels(self) -> None:
@@ -312,7 +310,7 @@ class Painter:
                 boxed=True,
                 colors=(CONTOUR, PAPER),
             )
-        actor = self._plotter.actors.get(f"{CONTOUR_LABELS}-labels")
+        actor = self._actors.get(CONTOUR_LABELS)
         if actor is not None and self._look is not None:
             actor.visibility = bool(self._look.back[2] > _SEEN)
 
@@ -457,7 +455,7 @@ class Painter:
         size_mm
             Length of the square's sides.
         """
-        self._plotter.remove_actor("plane", render=False)
+        self._remove("plane")
         if plane is None:
             return
         sheet = pv.Plane(
@@ -466,24 +464,27 @@ class Painter:
             i_size=size_mm,
             j_size=size_mm,
         )
-        self._plotter.add_mesh(
+        self._add(
             sheet,
             name="plane",
             color=self.scheme.accent,
             opacity=0.35,
             lighting=False,
-            reset_camera=False,
-            render=False,
             show_edges=False,
         )
 
     def aim(self, look: ViewTransform) -> None:
         """Set the camera."""
         camera = self._plotter.camera
-        camera.focal_point = tuple(look.focal_mm)
-        camera.position = tuple(look.focal_mm + look.back * EYE_DISTANCE_MM)
-        camera.up = tuple(look.up)
-        camera.parallel_scale = look.height_mm / 2
+        eye = look.focal_mm + look.back * EYE_DISTANCE_MM
+        for name, wanted in (
+            ("focal_point", tuple(look.focal_mm.tolist())),
+            ("position", tuple(eye.tolist())),
+            ("up", tuple(look.up.tolist())),
+            ("parallel_scale", look.height_mm / 2),
+        ):
+            if getattr(camera, name) != wanted:  # what is set anew costs, even if it is the same
+                setattr(camera, name, wanted)
         camera.clipping_range = (1.0, 2 * EYE_DISTANCE_MM)
         self._look = look
         self._size_handles(look)
@@ -504,7 +505,7 @@ class Painter:
             )
         for kind, size_px in HANDLE_PX.items():
             for name, part in (("rim", share), ("handles", share * UNRIMMED)):
-                actor = self._plotter.actors.get(f"{name}-{kind}")
+                actor = self._actors.get(f"{name}-{kind}")
                 if actor is not None:
                     actor.prop.point_size = size_px * part * self._ratio
 
@@ -531,6 +532,24 @@ class Painter:
         leaders = self._tags.place(look, np.hstack([middle - half, middle + half]))
         self.show_lines("name-leaders", leaders, self.scheme.text, 1.0)
 
+    def _add(self, drawn: pv.PolyData, name: str, **look: Any) -> Any:
+        """Draw something under a name, in place of what had it, and return its actor."""
+        actor = self._plotter.add_mesh(drawn, name=name, reset_camera=False, render=False, **look)
+        self._actors[name] = actor
+        return actor
+
+    def _remove(self, name: str) -> None:
+        """Remove what is drawn under a name, if anything is."""
+        actor = self._actors.pop(name, None)
+        if actor is not None:
+            self._plotter.remove_actor(actor, render=False)
+
+    def _limit_to(self, limits: tuple[float, float]) -> None:
+        """Give the colours of the surface these limits, which are most often those it has."""
+        mapper = self._actors["surface"].mapper
+        if mapper.scalar_range != limits:
+            mapper.scalar_range = limits
+
     def _show_dots(self, name: str, places: Sequence[Any], size: float, color: str) -> None:
         self._show_in_front(
             name,
@@ -552,15 +571,13 @@ class Painter:
             return
         self._shapes[name] = shape
         self._in_front.pop(name, None)
-        self._plotter.remove_actor(name, render=False)
+        self._remove(name)
         if len(points) == 0:
             return
         drawn = pv.PolyData(points)
         if line_lengths:
             drawn = pv.PolyData(points, lines=_line_cells(line_lengths))
-        actor = self._plotter.add_mesh(
-            drawn, name=name, lighting=False, reset_camera=False, render=False, **look
-        )
+        actor = self._add(drawn, name=name, lighting=False, **look)
         self._in_front[name] = actor.mapper.dataset
         # Drawn in front of any surface: handles must never be hidden by the foot.
         actor.mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -580,7 +597,7 @@ class Painter:
     ) -> None:
         if not words and name not in self._texts:
             return
-        self._plotter.remove_actor(name, render=False)
+        self._remove(name)
         self._texts.pop(name, None)
         if not words:
             return
@@ -588,7 +605,7 @@ class Painter:
             self._show_texts, name, places, words, size, centred=centred, boxed=boxed, colors=colors
         )
         text_color, ground = colors or (self.scheme.text, self.scheme.bottom)
-        self._plotter.add_point_labels(
+        self._actors[name] = self._plotter.add_point_labels(
             np.array(places, dtype=float),
             words,
             name=name,

@@ -8,10 +8,11 @@ from typing import TypeAlias
 
 import cv2
 import numpy as np
+import scipy
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS, find_landmarks
-from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
 
 Grid: TypeAlias = tuple[float, float, float, tuple[int, int]]
 """x and y of the first node, step, and numbers of rows and columns; hashable, to be a key."""
@@ -87,18 +88,48 @@ class HeightField:
 
     def height_at(self, xy: FloatArray) -> FloatArray:
         """Interpolate heights at points (..., 2) bilinearly; NaN beyond the field."""
+        (i, j), (u, v), inside = self._cells_at(xy)
+        h = self.heights_mm
+        below = h[i, j] * (1 - u) + h[i, j + 1] * u
+        above = h[i + 1, j] * (1 - u) + h[i + 1, j + 1] * u
+        return np.asarray(np.where(inside, below * (1 - v) + above * v, np.nan))
+
+    def weights_at(self, xy: FloatArray) -> scipy.sparse.csr_array:
+        """(n, ny * nx) shares of the nodes in the heights at points (n, 2), as `height_at`.
+
+        For who interpolates other heights on this grid again and again at the same points.
+        """
+        (i, j), (u, v), inside = self._cells_at(xy)
+        rows, columns = self.heights_mm.shape
+        first = i * columns + j
+        nodes = np.stack([first, first + 1, first + columns, first + columns + 1], axis=1)
+        shares = np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v], axis=1)
+        shares[~inside] = np.nan
+        ends = 4 * np.arange(len(xy) + 1)
+        shape = len(xy), rows * columns
+        return scipy.sparse.csr_array((shares.ravel(), nodes.ravel(), ends), shape)
+
+    def _cells_at(
+        self, xy: FloatArray
+    ) -> tuple[tuple[IntArray, IntArray], tuple[FloatArray, FloatArray], BoolArray]:
+        """Return row and column of the first nodes of cells that hold points, and places in them.
+
+        Returns
+        -------
+        row, column : (...) int64
+        across, along : (...) float64
+            Places of the points in their cells, as shares of the step.
+        inside : (...) bool
+            Whether a point lies on the field.
+        """
         xy = np.asarray(xy, dtype=float)
         rows, columns = self.heights_mm.shape
         column = (xy[..., 0] - self.x0_mm) / self.step_mm
         row = (xy[..., 1] - self.y0_mm) / self.step_mm
         j = np.clip(np.floor(column).astype(int), 0, columns - 2)
         i = np.clip(np.floor(row).astype(int), 0, rows - 2)
-        u, v = column - j, row - i
-        h = self.heights_mm
-        below = h[i, j] * (1 - u) + h[i, j + 1] * u
-        above = h[i + 1, j] * (1 - u) + h[i + 1, j + 1] * u
         inside = (column >= 0) & (column <= columns - 1) & (row >= 0) & (row <= rows - 1)
-        return np.asarray(np.where(inside, below * (1 - v) + above * v, np.nan))
+        return (i, j), (column - j, row - i), inside
 
     def triangles(self) -> IndexArray:
         """Return corner indices (m, 3) into `nodes`, counter-clockwise seen from above."""

@@ -25,6 +25,14 @@ def test_beyond_the_field_there_is_no_height():
     assert np.isnan(FIELD.height_at(outside)).all()
 
 
+def test_weights_of_points_give_the_heights_there_whatever_the_nodes_have():
+    xy = np.array([[-1.8, 10.3], [-0.5, 11.0], [-2.0, 10.0], [-1.1, 10.9], [-2.01, 10.2]])
+    for heights in (FIELD.heights_mm, FIELD.heights_mm**2):
+        field = HeightField(-2.0, 10.0, 0.5, heights)
+        found = FIELD.weights_at(xy) @ heights.ravel()
+        np.testing.assert_allclose(found, field.height_at(xy), atol=1e-12)
+
+
 def test_mesh_faces_up_and_covers_the_field():
     mesh = TriangleMesh(FIELD.nodes, FIELD.triangles())
     assert len(mesh.triangles) == 2 * 2 * 3

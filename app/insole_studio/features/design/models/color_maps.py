@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
-from dataclasses import replace
+from dataclasses import dataclass
 from enum import StrEnum
 
 import numpy as np
+import scipy
 
 from insole_core.contact.change import MOST_SHOWN, Change
+from insole_core.contact.stance import Sole
 from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
@@ -205,31 +207,55 @@ def _painted(
     return Coloring(values, limits, title, unit=unit, painted=colors.round().astype(np.uint8))
 
 
-def load_coloring(
-    change: Change, untold: Collection[str], vertices: FloatArray, where: BoolArray
-) -> Coloring:
-    """Return the colours of a surface by how the pressure changes there.
+@dataclass(frozen=True, eq=False)
+class LoadedVertices:
+    """Where vertices lie on the grid of a sole: found once, while a drag changes what is there.
 
     Parameters
     ----------
-    untold
-        Names of the regions of which nothing can be told.
-    vertices : (n, 3) float64, mm, insole frame
+    sole
+    xy : (n, 2) float64, mm, insole frame
+        Of all vertices of the surface.
     where : (n,) bool
         Which of them belong to the sole, or to the upper side of the insole.
+    weights : (k, ny * nx) float64
+        Of these, by the nodes of the grid.
     """
-    values = np.full(len(vertices), np.nan)
-    percent = replace(change.sole.field, heights_mm=change.shown_percent(untold))
-    values[where] = percent.height_at(vertices[where, :2])
-    return Coloring(
-        values,
-        (-MOST_SHOWN, MOST_SHOWN),
-        tr("Change of pressure"),
-        signed=True,
-        unit="%",
-        is_clipped=True,
-        missing=tr("no pressure, or cannot tell"),
-    )
+
+    sole: Sole
+    xy: FloatArray
+    where: BoolArray
+    weights: scipy.sparse.csr_array
+
+    @classmethod
+    def of(cls, sole: Sole, vertices: FloatArray, where: BoolArray) -> LoadedVertices:
+        """Return those of a surface, with vertices (n, 3)."""
+        xy = vertices[:, :2].copy()
+        return cls(sole, xy, where, sole.field.weights_at(xy[where]))
+
+    def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
+        """Return whether vertices (n, 3) of the same surface still lie there."""
+        return self.sole is sole and np.array_equal(self.xy, vertices[:, :2])
+
+    def coloring(self, change: Change, untold: Collection[str]) -> Coloring:
+        """Return the colours of the surface by how the pressure changes there.
+
+        Parameters
+        ----------
+        untold
+            Names of the regions of which nothing can be told.
+        """
+        values = np.full(len(self.xy), np.nan)
+        values[self.where] = self.weights @ change.shown_percent(untold).ravel()
+        return Coloring(
+            values,
+            (-MOST_SHOWN, MOST_SHOWN),
+            tr("Change of pressure"),
+            signed=True,
+            unit="%",
+            is_clipped=True,
+            missing=tr("no pressure, or cannot tell"),
+        )
 
 
 def is_sole(mesh: TriangleMesh) -> BoolArray:

@@ -29,11 +29,11 @@ from insole_studio.document.plantar_view import PlantarView
 from insole_studio.document.section_plane import SectionModel
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.features.design.models.color_maps import (
+    LoadedVertices,
     MapKind,
     color_by,
     color_foot,
     is_sole,
-    load_coloring,
     numbers_text,
     painted_foot,
     painted_insole,
@@ -96,6 +96,8 @@ class ModelPresenter:
         self._load = shown.load
         self._painted: PlantarLayers | None = None
         """What lay under the foot when it was last painted over the surface."""
+        self._loaded_vertices: LoadedVertices | None = None
+        """Those of the mesh that was last coloured by how load moves."""
         self._load_beside: tuple[object, ...] = ()
         """What the mesh beside was last coloured by, if by how load moves."""
         self._marked: tuple[object, ...] = _NOTHING
@@ -161,7 +163,8 @@ class ModelPresenter:
         self._load_beside = self._is_paired, change, untold
         if change is None or mesh is None:
             return None
-        return load_coloring(change, untold, mesh.vertices, self._is_loaded_beside(mesh))
+        loaded = LoadedVertices.of(change.sole, mesh.vertices, self._is_loaded_beside(mesh))
+        return loaded.coloring(change, untold)
 
     def _is_loaded_beside(self, mesh: TriangleMesh) -> BoolArray:
         """(n,) which vertices of the mesh beside lie against sole or insole."""
@@ -277,7 +280,7 @@ class ModelPresenter:
 
     def clear(self) -> None:
         """Show nothing: whatever fails with the next case, this one is not taken for it."""
-        self._marked = _NOTHING
+        self._marked, self._loaded_vertices = _NOTHING, None
         self.panel.clear()
         self.panel.show_side(None)
         self.panel.show_numbers("")
@@ -555,8 +558,11 @@ class FootPresenter(ModelPresenter):
         change = self._load.change
         if change is None:
             return None
-        untold = self._load.untold_of(change)
-        return load_coloring(change, untold, mesh.vertices, is_sole(mesh))
+        loaded = self._loaded_vertices
+        if loaded is None or not loaded.are_those_of(change.sole, mesh.vertices):
+            loaded = LoadedVertices.of(change.sole, mesh.vertices, is_sole(mesh))
+            self._loaded_vertices = loaded
+        return loaded.coloring(change, self._load.untold_of(change))
 
     @property
     def _shows_load(self) -> bool:
@@ -643,7 +649,7 @@ class InsolePresenter(ModelPresenter):
         self._contours = True
         self._shoe = False
         self._shoe_lines: GuideLines | None = None
-        self._loaded: tuple[tuple[Change, tuple[str, ...], tuple[int, ...]], Coloring] | None = None
+        self._loaded: tuple[tuple[Change, tuple[str, ...]], Coloring] | None = None
         """What the colours by the change of the pressure were last made of, and they themselves."""
         self._shoe_of: tuple[object, ...] | None = None
         """What the shown outline of a shoe was made of."""
@@ -702,10 +708,14 @@ class InsolePresenter(ModelPresenter):
         if change is None or mesh is None or self._surface.bottom_heights_mm is None:
             return None
         untold = self._load.untold_of(change)
-        of = (change, untold, mesh.triangles.shape)
-        if self._loaded is None or self._loaded[0] != of:
+        loaded = self._loaded_vertices
+        if loaded is None or not loaded.are_those_of(change.sole, mesh.vertices):
             is_top = self._is_top(len(self._surface.bottom_heights_mm))
-            self._loaded = of, load_coloring(change, untold, mesh.vertices, is_top)
+            loaded = LoadedVertices.of(change.sole, mesh.vertices, is_top)
+            self._loaded_vertices, self._loaded = loaded, None
+        of = change, untold
+        if self._loaded is None or self._loaded[0] != of:
+            self._loaded = of, loaded.coloring(change, untold)
         return self._loaded[1]
 
     @property
