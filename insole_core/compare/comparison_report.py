@@ -76,7 +76,7 @@ def draw_picture(
     names: tuple[str, str],
     translate: Translate = str,
 ) -> None:
-    """Draw the signed and the absolute difference side by side as PNG, to scale.
+    """Write the signed and the absolute difference side by side as PNG, to scale.
 
     Parameters
     ----------
@@ -87,10 +87,22 @@ def draw_picture(
     translate
         Into the language of the picture.
     """
+    _maps(difference, names, translate).print_png(path)
+
+
+def drawn_maps(
+    difference: Difference, names: tuple[str, str], translate: Translate = str
+) -> ByteArray:
+    """Return the picture of `draw_picture` for display, (height, width, 3) uint8, RGB."""
+    canvas = _maps(difference, names, translate)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba(), np.uint8)[..., :3].copy()
+
+
+def _maps(difference: Difference, names: tuple[str, str], translate: Translate) -> FigureCanvasAgg:
     signed = difference.signed_mm
     limit = _limit_mm(signed)
-    figure = Figure(figsize=(9, 8), layout="constrained")
-    FigureCanvasAgg(figure)
+    figure = Figure(figsize=(9, 8), dpi=120, layout="constrained")
     grid = difference.grid
     (x, y), (rows, columns), pitch = grid.first_mm, grid.shape, grid.pitch_mm
     extent = (x - pitch / 2, x + (columns - 0.5) * pitch, y - pitch / 2, y + (rows - 0.5) * pitch)
@@ -108,7 +120,7 @@ def draw_picture(
         )
         axes.set(title=translate(title), xlabel="x, mm", ylabel="y, mm", aspect="equal")
         figure.colorbar(image, ax=axes, label="mm", shrink=0.8, extend="both")
-    figure.savefig(path, format="png", dpi=120)
+    return FigureCanvasAgg(figure)
 
 
 def colored_surface(difference: Difference) -> TriangleMesh:

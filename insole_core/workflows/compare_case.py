@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import io
 import json
 from dataclasses import dataclass, replace
 from pathlib import Path
-
-import cv2
-import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.compare.comparison import (
@@ -29,7 +25,7 @@ from insole_core.compare.difference import Difference
 from insole_core.errors import InputError, UsageError
 from insole_core.files.atomic import replacing_file
 from insole_core.formats.ply import write_ply
-from insole_core.geometry.arrays import ByteArray, FloatArray
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.messages import Message, Translate, joined
@@ -70,15 +66,12 @@ class Compared:
         Signed difference at its vertices; NaN where the second surface is missing.
     span_mm
         Limit of the colour scale.
-    picture : (height, width, 3) uint8, RGB
-        The signed and the absolute map.
     """
 
     difference: Difference
     surface: TriangleMesh
     signed_mm: FloatArray
     span_mm: float
-    picture: ByteArray
 
 
 def surface_of(record: CaseRecord, wanted: Wanted, progress: Progress = SILENT) -> ComparisonSource:
@@ -121,8 +114,6 @@ def compare_sources(
     alignment: Alignment,
     median_pixels: int,
     progress: Progress = SILENT,
-    *,
-    translate: Translate = str,
 ) -> Compared:
     """Align surface b with surface a and measure their difference.
 
@@ -134,8 +125,6 @@ def compare_sources(
         How b is brought into the frame of a.
     median_pixels
         Kernel size of the spatial median filter, px; 1 for none.
-    translate
-        Into the language of the picture.
 
     Raises
     ------
@@ -144,22 +133,11 @@ def compare_sources(
     Cancelled
     """
     difference = compare_surfaces(
-        a.mesh, b.mesh, alignment, median_pixels=median_pixels, progress=progress.part(0.0, 0.8)
+        a.mesh, b.mesh, alignment, median_pixels=median_pixels, progress=progress.part(0.0, 0.9)
     )
     difference = replace(difference, feet=(a.measures, b.measures), b_is_mirrored=b.is_mirrored)
-    progress.step(0.8, "Drawing the difference")
     surface, signed = difference_surface(difference)
-    drawn = io.BytesIO()
-    draw_picture(difference, drawn, (a.name, b.name), translate)
-    picture = cv2.imdecode(np.frombuffer(drawn.getvalue(), np.uint8), cv2.IMREAD_COLOR_RGB)
-    assert picture is not None
-    return Compared(
-        difference,
-        surface,
-        signed,
-        span_mm(difference),
-        np.asarray(picture, np.uint8),
-    )
+    return Compared(difference, surface, signed, span_mm(difference))
 
 
 def write_comparison(

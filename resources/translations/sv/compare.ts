@@ -60,6 +60,10 @@
             <translation>Skillnadskartor</translation>
         </message>
         <message>
+            <source>Drawing the difference</source>
+            <translation>Ritar skillnaden</translation>
+        </message>
+        <message>
             <source>Feet (mm)</source>
             <translation>Fötter (mm)</translation>
         </message>

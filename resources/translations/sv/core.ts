@@ -992,10 +992,6 @@
             <translation>Dra uppåt för att höja pelotten, nedåt för att sänka</translation>
         </message>
         <message>
-            <source>Drawing the difference</source>
-            <translation>Ritar skillnaden</translation>
-        </message>
-        <message>
             <source>Drawing the foot</source>
             <translation>Foten ritas</translation>
         </message>

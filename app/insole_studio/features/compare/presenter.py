@@ -11,9 +11,10 @@ import numpy as np
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.compare.comparison import Alignment, ComparisonSource
+from insole_core.compare.comparison_report import drawn_maps
 from insole_core.compare.seen_surface import facing
 from insole_core.errors import InsoleError
-from insole_core.geometry.arrays import FloatArray
+from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
@@ -27,7 +28,15 @@ from insole_core.workflows.compare_case import (
 )
 from insole_core.workflows.overwriting import check_overwriting
 from insole_studio.document.case import Case
-from insole_studio.features.compare.rows import FILE, FOLDER, CompareButtons, figure_rows
+from insole_studio.features.compare.rows import (
+    FILE,
+    FOLDER,
+    MAPS,
+    RESULT,
+    SURFACES,
+    CompareButtons,
+    figure_rows,
+)
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.pointer import MarkedPoint
@@ -36,7 +45,7 @@ from insole_studio.texts import tr, translate_core_message
 if TYPE_CHECKING:
     from insole_studio.features.compare.view import CompareView
 
-READING, COMPARING, WRITING = "read", "compare", "write"
+READING, COMPARING, DRAWING, WRITING = "read", "compare", "draw", "write"
 LEAST_POINTS = 3
 
 
@@ -81,6 +90,7 @@ class ComparePresenter:
         self._alignment = "best"
         self._median = 1
         self._compared: Compared | None = None
+        self._has_maps = False
         panel.source_chosen.connect(self.choose)
         panel.alignment_chosen.connect(self.align_by)
         panel.median_edited.connect(self.filter_by)
@@ -88,6 +98,7 @@ class ComparePresenter:
         panel.take_back_requested.connect(self.take_back)
         panel.save_requested.connect(self.ask_save)
         panel.cancel_requested.connect(self.cancel)
+        panel.tab_shown.connect(self._show_maps)
         jobs.progressed.connect(self._show_progress)
         jobs.ended.connect(self._show_buttons)
         for which in "ab":
@@ -132,7 +143,7 @@ class ComparePresenter:
         """Choose the method that aligns b with a."""
         self._alignment = word
         if word == "picked":
-            self._panel.show_tab(0)
+            self._panel.show_tab(SURFACES)
         self._show_picking()
         self._compare()
 
@@ -185,7 +196,7 @@ class ComparePresenter:
 
     def cancel(self) -> None:
         """Cancel the running job."""
-        for channel in (READING + "a", READING + "b", COMPARING, WRITING):
+        for channel in (READING + "a", READING + "b", COMPARING, DRAWING, WRITING):
             self._jobs.cancel(channel)
 
     def _show_choices(self) -> None:
@@ -258,9 +269,7 @@ class ComparePresenter:
         a, b, median = self._laid["a"], self._laid["b"], self._median
 
         def compare(progress: Progress) -> Compared:
-            return compare_sources(
-                a, b, alignment, median, progress, translate=translate_core_message
-            )
+            return compare_sources(a, b, alignment, median, progress)
 
         self._panel.show_error("")
         self._jobs.start(COMPARING, compare, self._take, self._show_failure)
@@ -292,7 +301,9 @@ class ComparePresenter:
 
     def _forget_result(self) -> None:
         self._jobs.cancel(COMPARING)
-        self._compared = None
+        self._jobs.cancel(DRAWING)
+        self._compared, self._has_maps = None, False
+        self._panel.show_no_picture()
         self._panel.show_has_result(False)
         self._panel.show_figures([])
         self._show_buttons()
@@ -304,9 +315,27 @@ class ComparePresenter:
         above = _from_above(self._sources["a"].mesh)
         self._panel.show_has_result(True)
         self._panel.show_result(compared.surface, coloring, above)
-        self._panel.show_picture(compared.picture)
         self._panel.show_figures(figure_rows(compared.difference))
-        self._panel.show_tab(1)
+        self._panel.show_tab(RESULT)
+        self._show_buttons()
+
+    def _show_maps(self, tab: int) -> None:
+        """Draw the difference maps once they are looked at: mostly only the surface is."""
+        compared = self._compared
+        if tab != MAPS or compared is None or self._has_maps:
+            return
+        names = self._laid["a"].name, self._laid["b"].name
+
+        def draw(progress: Progress) -> ByteArray:
+            progress.step(0.1, tr("Drawing the difference"))
+            return drawn_maps(compared.difference, names, translate_core_message)
+
+        def take(picture: ByteArray) -> None:
+            self._has_maps = True
+            self._panel.show_picture(picture)
+
+        self._panel.show_error("")
+        self._jobs.start(DRAWING, draw, take, self._show_failure)
         self._show_buttons()
 
     def _show_picking(self) -> None:

@@ -11,6 +11,8 @@ from insole_studio.texts import fill, localised, tr, translate_core_message
 
 FILE, FOLDER = "file", "folder"
 """Keys of the choices that ask for a path."""
+SURFACES, RESULT, MAPS = range(3)
+"""Numbers of the tabs."""
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.geometry.arrays import ByteArray
 from insole_core.geometry.mesh import TriangleMesh
-from insole_studio.features.compare.rows import CompareButtons, FigureRow
+from insole_studio.features.compare.rows import MAPS, RESULT, CompareButtons, FigureRow
 from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import MarkedPoint
@@ -45,6 +45,7 @@ class CompareView(QWidget):
     save_requested = Signal()
     cancel_requested = Signal()
     close_requested = Signal()
+    tab_shown = Signal(int)
 
     def __init__(self, dark: bool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -153,6 +154,10 @@ class CompareView(QWidget):
         """Show the difference maps, (height, width, 3) uint8, RGB."""
         self.map_picture.show_picture(picture)
 
+    def show_no_picture(self) -> None:
+        """Show no difference maps."""
+        self.map_picture.show_sentence("")
+
     def show_figures(self, rows: Sequence[FigureRow]) -> None:
         """Show the statistics; rows without numbers are headings."""
         remove_widgets(self.figures)
@@ -187,7 +192,7 @@ class CompareView(QWidget):
 
     def show_has_result(self, there: bool) -> None:
         """Enable or disable the tabs of the result."""
-        for number in (1, 2):
+        for number in (RESULT, MAPS):
             self.tabs.setTabEnabled(number, there)
 
     def show_notes(self, sentences: Sequence[str]) -> None:
@@ -236,6 +241,7 @@ class CompareView(QWidget):
         self.tabs.addTab(self.result, tr("Difference in 3-D"))
         self.tabs.addTab(self.map_picture, tr("Difference maps"))
         self.tabs.setDocumentMode(True)
+        self.tabs.currentChanged.connect(self.tab_shown)
         right.addLayout(self.figures)
         right.addStretch(1)
         right.addWidget(self.error)

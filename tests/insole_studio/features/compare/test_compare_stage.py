@@ -9,13 +9,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
-from insole_core.formats.ply import write_ply
 from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -23,7 +22,9 @@ from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.solid import insole_solid
+from insole_core.workflows.compare_case import REPORT_SUFFIXES
 from insole_studio.document.case import Case
+from insole_studio.features.compare.rows import MAPS, RESULT, SURFACES
 from insole_studio.features.compare.stage import CompareStage
 from insole_studio.scene.point_picker import PointPicker
 from insole_studio.scene.pointer import Phase, PointerEvent
@@ -99,12 +100,52 @@ def number(stage: CompareStage, text: str) -> float:
 
 
 @pytest.mark.slow
-def test_insole_and_foot_of_the_case_are_compared_at_once(
+def test_insole_and_foot_of_the_case_are_compared_at_once_and_reported(
+    stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
+) -> None:
+    """Nothing but the report changes by choosing no file, nor by a name of no known form."""
+    before = number(stage, "Largest")
+    assert number(stage, "Mean") < 0.3
+    assert stage.view.tabs.currentIndex() == RESULT
+    source = stage.view.sources["b"].currentText()
+    stage.view.source_chosen.emit("b", "folder")
+    assert stage.view.sources["b"].currentText() == source
+    for suffix in REPORT_SUFFIXES:
+        chosen.path = tmp_path / f"d{suffix}"
+        stage.view.save.click()
+        settle()
+        assert chosen.path.stat().st_size > 100
+    assert json.loads((tmp_path / "d.json").read_text())["unit"] == "mm"
+    chosen.path = tmp_path / "d.docx"
+    stage.view.save.click()
+    settle()
+    assert "let it end in .pdf" in stage.view.error.text()
+    stage.view.median.setValue(6)
+    settle()
+    assert number(stage, "Largest") != before
+
+
+@pytest.mark.slow
+def test_maps_are_drawn_once_they_are_looked_at(
     stage: CompareStage, settle: Callable[[], None]
 ) -> None:
-    assert number(stage, "Mean") < 0.3
-    assert stage.view.tabs.currentIndex() == 1
-    assert stage.view.save.isEnabled()
+    shown = stage.view.map_picture
+    ground = colors_of(shown)
+    stage.view.show_tab(MAPS)
+    settle()
+    drawn = colors_of(shown)
+    assert len(drawn) > 10 * len(ground)
+    stage.view.show_tab(RESULT)
+    stage.view.show_tab(MAPS)
+    assert not stage.jobs.is_running()
+    stage.view.source_chosen.emit("b", "")  # there is nothing left to compare
+    assert colors_of(shown) == ground
+
+
+def colors_of(widget: QWidget) -> set[int]:
+    picture = widget.grab().toImage()
+    return {picture.pixel(x, y) for x in range(0, picture.width(), 3)
+            for y in range(0, picture.height(), 3)}  # fmt: skip
 
 
 @pytest.mark.slow
@@ -160,36 +201,31 @@ def test_two_visits_differ_by_what_the_foot_has_changed(
 
 
 @pytest.mark.slow
-def test_surface_from_a_file_is_fitted(
+def test_surface_from_a_file_is_fitted_or_laid_by_picked_points(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path,
     chosen: Chosen,
 ) -> None:  # fmt: skip
+    """A report does not take its place, nor by a link."""
     untouched = stage.view.models["a"]
     untouched.look_from(Preset.DORSAL)
     turned = untouched.scene.camera
-    chosen.path = lower_file(solid, tmp_path / "insole Fuß.stl")
+    file = chosen.path = lower_file(solid, tmp_path / "insole Fuß.stl")
     stage.view.source_chosen.emit("b", "file")
     settle()
     assert untouched.scene.camera is turned
     assert number(stage, "Largest") < 0.05
-    assert stage.view.sources["b"].currentText() == "insole Fuß.stl"
+    assert stage.view.sources["b"].currentText() == file.name
 
-
-@pytest.mark.slow
-def test_nothing_is_chosen(stage: CompareStage, settle: Callable[[], None], chosen: Chosen) -> None:
-    before = stage.view.sources["b"].currentText()
-    stage.view.source_chosen.emit("b", "folder")
-    assert stage.view.sources["b"].currentText() == before
-
-
-@pytest.mark.slow
-def test_picked_points_lay_one_on_the_other(
-    stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
-) -> None:
-    stage.presenter.choose_path("b", lower_file(solid, tmp_path / "b.stl"))
+    before = file.read_bytes()
+    chosen.path = tmp_path / "link.ply"
+    chosen.path.symlink_to(file)
+    stage.view.save.click()
     settle()
+    assert "is read to make the result" in stage.view.error.text()
+    assert file.read_bytes() == before
+
     stage.view.alignment_chosen.emit("picked")
-    assert stage.view.tabs.currentIndex() == 0
+    assert stage.view.tabs.currentIndex() == SURFACES
     assert not stage.view.save.isEnabled()
     for place in solid.vertices[[40, 900, 2500]]:
         stage.view.point_picked.emit("a", place)
@@ -203,74 +239,19 @@ def test_picked_points_lay_one_on_the_other(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("suffix", [".pdf", ".json", ".png", ".ply"])
-def test_report(
-    stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path, suffix: str
-) -> None:
-    chosen.path = tmp_path / f"d{suffix}"
-    stage.view.save.click()
-    settle()
-    assert chosen.path.stat().st_size > 100
-    if suffix == ".json":
-        assert json.loads(chosen.path.read_text())["unit"] == "mm"
-
-
-@pytest.mark.slow
-def test_a_report_does_not_take_the_place_of_what_is_compared(
-    stage: CompareStage,
-    settle: Callable[[], None],
-    chosen: Chosen,
-    solid: TriangleMesh,
-    tmp_path: Path,
-) -> None:
-    write_ply(solid, tmp_path / "scan.ply")
-    before = (tmp_path / "scan.ply").read_bytes()
-    stage.presenter.choose_path("b", tmp_path / "scan.ply")
-    settle()
-    chosen.path = tmp_path / "link.ply"
-    chosen.path.symlink_to(tmp_path / "scan.ply")
-    stage.view.save.click()
-    settle()
-    assert "is read to make the result" in stage.view.error.text()
-    assert (tmp_path / "scan.ply").read_bytes() == before
-
-
-@pytest.mark.slow
-def test_report_of_no_known_form(
-    stage: CompareStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
-) -> None:
-    chosen.path = tmp_path / "d.docx"
-    stage.view.save.click()
-    settle()
-    assert "let it end in .pdf" in stage.view.error.text()
-
-
-@pytest.mark.slow
-def test_surfaces_that_do_not_overlap(
+def test_surfaces_without_dots_or_overlap_are_one_sentence(
     stage: CompareStage, settle: Callable[[], None], solid: TriangleMesh, tmp_path: Path
 ) -> None:
+    stage.view.alignment_chosen.emit("dots")
+    settle()
+    assert "pick the points instead" in stage.view.error.text()
     far = TriangleMesh(solid.vertices + np.array([900.0, 0, 0]), solid.triangles)
     write_stl(far, tmp_path / "far.stl")
     stage.view.alignment_chosen.emit("none")
     stage.presenter.choose_path("b", tmp_path / "far.stl")
     settle()
     assert "too little to compare" in stage.view.error.text()
-    assert not stage.view.tabs.isTabEnabled(1)
-
-
-@pytest.mark.slow
-def test_no_dots_is_one_sentence(stage: CompareStage, settle: Callable[[], None]) -> None:
-    stage.view.alignment_chosen.emit("dots")
-    settle()
-    assert "pick the points instead" in stage.view.error.text()
-
-
-@pytest.mark.slow
-def test_median_filter_compares_anew(stage: CompareStage, settle: Callable[[], None]) -> None:
-    before = number(stage, "Largest")
-    stage.view.median.setValue(6)
-    settle()
-    assert number(stage, "Largest") != before
+    assert not stage.view.tabs.isTabEnabled(RESULT)
 
 
 def test_only_a_click_picks() -> None:

@@ -154,7 +154,7 @@ def test_a_comparison_in_swedish_holds_no_word_of_the_english_one(
             ComparisonSource(Message("right foot"), other, side=Side.RIGHT),
         )
         a, b = sources[0], sources[1].like(sources[0])
-        compared = compare_sources(a, b, "none", 1, translate=translate)
+        compared = compare_sources(a, b, "none", 1)
         paper = tmp_path / f"{language}.pdf"
         write_comparison(compared, (a.name, b.name), paper, translate)
     english, swedish = words_of(tmp_path / "en.pdf"), words_of(tmp_path / "sv.pdf")
