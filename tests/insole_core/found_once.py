@@ -8,7 +8,7 @@ of a process, and each looks at what a workflow, a command or the window does wi
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 from functools import partial
@@ -31,6 +31,7 @@ from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import reconstruction
 from insole_core.reconstruct.fusion.prepared_view import PreparedView
 from insole_core.reconstruct.views.measured_view import MeasuredView
+from insole_core.recording.session import View
 from insole_core.solids import order, solid
 from insole_core.solids.solid import ClosedInsole
 from insole_core.workflows import (
@@ -42,12 +43,13 @@ from insole_core.workflows import (
     scanned_feet,
 )
 
-KEPT, KEPT_FEET, KEPT_SMALL = 4, 3, 256
-"""Results of each kind; feet, with what is derived from each of them, which is some 50 MB; and
-corners of boards, of which a sensor's pictures show many."""
+KEPT, KEPT_FEET, KEPT_VIEWS, KEPT_SMALL = 4, 3, 6, 256
+"""Results of each kind; feet, with what is derived from each of them, which is some 50 MB; views of
+sessions, some 8 MB each; and corners of boards, of which a sensor's pictures show many."""
 KEPT_BYTES = 24_000_000
 """Of a kind that is derived from a foot: a quarter of what the window keeps."""
 OF_FEET = frozenset({"derived", "place_foot", "find_foot", "find_imprints"})
+OF_VIEWS = frozenset({"measure_view"})
 SMALL = frozenset({"_chequerboard_corners"})
 
 SHARED = (
@@ -73,11 +75,13 @@ class SharedResults:
 
     def forget(self) -> None:
         """Let everything be found and made anew."""
-        self._memo, self._feet, self._small = Memo(KEPT), Memo(KEPT_FEET), Memo(KEPT_SMALL)
+        self._memo, self._feet = Memo(KEPT), Memo(KEPT_FEET)
+        self._views, self._small = Memo(KEPT_VIEWS), Memo(KEPT_SMALL)
 
     def get(self, kind: str, key: Hashable, make: Callable[[], Any]) -> Any:
-        memo = self._small if kind in SMALL else self._memo
-        return (self._feet if kind in OF_FEET else memo).get(kind, key, make)
+        memos = ((OF_FEET, self._feet), (OF_VIEWS, self._views), (SMALL, self._small))
+        memo = next((memo for kinds, memo in memos if kind in kinds), self._memo)
+        return memo.get(kind, key, make)
 
 
 def share_results(
@@ -99,6 +103,7 @@ def share_results(
     patch.setattr(foot_module, "_MOST_BYTES", KEPT_BYTES)
     for owner, name in (*SHARED, *more):
         patch.setattr(owner, name, _made_once(kept, name, getattr(owner, name)))
+    patch.setattr(make_foot, "measure_view", _measured_once(kept, make_foot.measure_view))
     patch.setattr(make_foot, "place_foot", _placed_once(kept, make_foot.place_foot))
     base = _based_once(contact_base)
     for module in (insole_builder, followed_base):
@@ -127,6 +132,30 @@ def _made_once(kept: SharedResults, name: str, make: Callable[..., Any]) -> Call
         return kept.get(name, _content(given, named), make_in_list)[0]
 
     return made
+
+
+def _measured_once(
+    kept: SharedResults, measure: Callable[[View], MeasuredView]
+) -> Callable[[View], MeasuredView]:
+    """Measure equal frames once; each view keeps the files that it was read from."""
+
+    def measured(view: View) -> MeasuredView:
+        if not isinstance(view.read_depth, partial):  # frames that a test has made up
+            return measure(view)
+        key = _content(view.name, view.sensor, view.times, *_frame_files(view))
+        once = kept.get("measure_view", key, lambda: measure(view))
+        found = replace(once, view=replace(view, sensor=once.view.sensor))
+        vars(found).update(blobs=once.blobs, sightings=once.sightings, derived=once.derived)
+        return found
+
+    return measured
+
+
+def _frame_files(view: View) -> Iterator[bytes]:
+    """Iterate over the files of depth and colour frames, as they were recorded."""
+    for read in (view.read_depth, view.read_color):
+        store, names, *_ = read.args
+        yield from map(store.read, names)
 
 
 def _placed_once(kept: SharedResults, place: Callable[..., Foot]) -> Callable[..., Foot]:
@@ -166,7 +195,7 @@ def _add(digest: Any, value: Any) -> None:
     if isinstance(value, np.ndarray):
         digest.update(f"{value.dtype}{value.shape}".encode())
         digest.update(np.ascontiguousarray(value))
-    elif isinstance(value, str | int | float | Enum | Path | None):
+    elif isinstance(value, str | bytes | int | float | Enum | Path | None):
         digest.update(repr(value).encode())
     elif not isinstance(value, Progress):
         for part in _parts(value):
