@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -27,6 +26,7 @@ from insole_core.foot.spread import MeasuredFoot, Spread, explained, spread_text
 from insole_core.geometry.arrays import ByteArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.messages import Message, Translate, joined
+from insole_core.recording.images import encode_png
 
 _COLOR_MAP = "RdBu_r"
 _LEAST_RANGE_MM = 0.1
@@ -72,7 +72,7 @@ def report_json(difference: Difference) -> dict[str, Any]:
 
 def draw_picture(
     difference: Difference,
-    path: Path | io.BytesIO,
+    path: Path,
     names: tuple[str, str],
     translate: Translate = str,
 ) -> None:
@@ -80,26 +80,25 @@ def draw_picture(
 
     Parameters
     ----------
-    path
-        A file, or a buffer in memory.
     names
         Of the first and the second surface.
     translate
         Into the language of the picture.
     """
-    _maps(difference, names, translate).print_png(path)
+    path.write_bytes(encode_png(drawn_maps(difference, names, translate)))
 
 
 def drawn_maps(
     difference: Difference, names: tuple[str, str], translate: Translate = str
 ) -> ByteArray:
     """Return the picture of `draw_picture` for display, (height, width, 3) uint8, RGB."""
-    canvas = _maps(difference, names, translate)
-    canvas.draw()
-    return np.asarray(canvas.buffer_rgba(), np.uint8)[..., :3].copy()
+    canvas = FigureCanvasAgg(_maps(difference, names, translate))
+    canvas.draw()  # type: ignore[no-untyped-call] # Figure.savefig would draw twice
+    drawn = np.asarray(canvas.buffer_rgba(), np.uint8)  # type: ignore[no-untyped-call]
+    return np.ascontiguousarray(drawn[..., :3])
 
 
-def _maps(difference: Difference, names: tuple[str, str], translate: Translate) -> FigureCanvasAgg:
+def _maps(difference: Difference, names: tuple[str, str], translate: Translate) -> Figure:
     signed = difference.signed_mm
     limit = _limit_mm(signed)
     figure = Figure(figsize=(9, 8), dpi=120, layout="constrained")
@@ -120,7 +119,7 @@ def _maps(difference: Difference, names: tuple[str, str], translate: Translate) 
         )
         axes.set(title=translate(title), xlabel="x, mm", ylabel="y, mm", aspect="equal")
         figure.colorbar(image, ax=axes, label="mm", shrink=0.8, extend="both")
-    return FigureCanvasAgg(figure)
+    return figure
 
 
 def colored_surface(difference: Difference) -> TriangleMesh:
@@ -194,8 +193,7 @@ def write_report(
     OutputError
         If the path cannot be written.
     """
-    picture = io.BytesIO()
-    draw_picture(difference, picture, names, translate)
+    picture = encode_png(drawn_maps(difference, names, translate))
     statistics = difference.statistics
     area = Message("{value:.0f} cm²", value=statistics["compared_area_mm2"] / 100)
     figures: dict[str, str] = {
@@ -227,7 +225,7 @@ def write_report(
         for title, facts in sections
     ]
     heading = translate(Message("Comparison of two surfaces"))
-    paper.write_report(heading, said, picture.getvalue(), path)
+    paper.write_report(heading, said, picture, path)
 
 
 def _fit_text(difference: Difference) -> str:
