@@ -205,10 +205,11 @@ def _search(sight: Sight, areas: FloatArray, limits: ImageMatchLimits, near: flo
         return PoseBatch.none()
     size = np.linalg.norm(np.ptp(sight.markers, axis=0))
     table = _DistanceTable.of(sight.blobs)
+    corners = np.ascontiguousarray(np.moveaxis(sight.blobs[triangles], 0, 2))
     found: list[PoseBatch] = []
     scores: list[FloatArray] = []
     for chosen in _marker_triangles(sight.markers, limits.triples):
-        poses = _weak_perspective(sight, triangles, chosen, limits)
+        poses = _weak_perspective(sight, corners, chosen, limits)
         tolerance = limits.rough_share * size / np.maximum(poses.translations[:, 2], 1)
         distance = table.look_up(poses.project(sight.markers)) / tolerance[:, None]
         score = np.where(distance < 1, 1 - 0.5 * distance**2, 0).sum(1)
@@ -255,32 +256,42 @@ def _marker_triangles(markers: FloatArray, count: int) -> IntArray:
 
 
 def _weak_perspective(
-    sight: Sight, triangles: IntArray, chosen: IntArray, limits: ImageMatchLimits
+    sight: Sight, corners: FloatArray, chosen: IntArray, limits: ImageMatchLimits
 ) -> PoseBatch:
-    """Compute the poses that map three markers to triangles (t, 3) of blobs, up to two for each."""
+    """Compute the poses that map three markers to triangles of blobs, up to two for each.
+
+    Parameters
+    ----------
+    corners : (3, 2, t) float64
+        Of the triangles: corner, axis, triangle.
+    """
     origin, *others = sight.markers[chosen]
     basis, in_plane = _plane_basis(*(other - origin for other in others))
-    corner = sight.blobs[triangles]
-    edges = np.swapaxes(corner[:, 1:] - corner[:, :1], 1, 2)
-    linear = edges @ np.linalg.inv(in_plane)
-    total = (linear**2).sum((1, 2))
-    determinant = linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0]
+    edges = (corners[1:] - corners[0]).reshape(2, -1)
+    linear = (np.linalg.inv(in_plane).T @ edges).reshape(2, 2, -1)  # direction in the plane, axis
+    total = (linear**2).sum((0, 1))
+    determinant = linear[0, 0] * linear[1, 1] - linear[1, 0] * linear[0, 1]
     largest = (total + np.sqrt(np.maximum(total**2 - 4 * determinant**2, 0))) / 2
     scale = np.sqrt(largest)
     low, high = limits.distance_mm
     possible = (scale > 1 / high) & (scale < 1 / low)
     possible &= np.abs(determinant) > limits.steepest * largest
-    linear, scale, center = linear[possible], scale[possible], corner[possible].mean(1)
-    rest = scale[:, None, None] ** 2 * np.eye(2) - linear @ np.swapaxes(linear, 1, 2)
-    out = np.sqrt(np.maximum(np.diagonal(rest, axis1=1, axis2=2), 0))
-    out[:, 1] *= np.where(rest[:, 0, 1] < 0, -1, 1)
+    scale, center = scale[possible], corners[..., possible].mean(0)
+    first, second = linear[..., possible] / scale
+    out = np.sqrt(np.maximum(1 - first**2 - second**2, 0))
+    out[1] *= np.where(first[0] * first[1] + second[0] * second[1] > 0, -1, 1)
+    level = first[0] * second[1] - second[0] * first[1]
+    ahead = np.stack([*center, np.ones_like(scale)], axis=1) / scale[:, None]
     poses = []
-    for sign in (1, -1):
-        rows = np.concatenate([linear, sign * out[..., None]], axis=2) / scale[:, None, None]
-        third = np.cross(rows[:, 0], rows[:, 1])[:, None]
-        rotations = np.concatenate([rows, third], axis=1) @ basis
+    for x, y in (out, -out):
+        rows = [
+            [first[0], second[0], x],
+            [first[1], second[1], y],
+            [second[0] * y - x * second[1], x * first[1] - first[0] * y, level],
+        ]
+        aslant = np.moveaxis(np.array(rows), 2, 0).reshape(-1, 3)
+        rotations = (aslant @ basis).reshape(-1, 3, 3)
         middle = rotations @ sight.markers[chosen].mean(0)
-        ahead = np.concatenate([center, np.ones((len(center), 1))], axis=1) / scale[:, None]
         forward = looks_at_foot(np.swapaxes(rotations, 1, 2))
         poses.append(PoseBatch(rotations[forward], (ahead - middle)[forward]))
     return PoseBatch.joined(poses)
@@ -297,7 +308,15 @@ def _plane_basis(first: FloatArray, second: FloatArray) -> tuple[FloatArray, Flo
 
 @dataclass(frozen=True, eq=False)
 class _DistanceTable:
-    """The distance to the nearest blob, tabulated on a lattice over the image."""
+    """The distance to the nearest blob, tabulated on a lattice over the image.
+
+    Parameters
+    ----------
+    low, step : (2,) float64
+        Place of the first node, and from node to node.
+    distance : (n, n) float64
+        With an infinite one round the lattice.
+    """
 
     low: FloatArray
     step: FloatArray
@@ -313,11 +332,10 @@ class _DistanceTable:
         nearest = np.full((_TABLE, _TABLE), np.inf)
         for blob in range(len(blobs)):
             np.minimum(nearest, squared[0][:, None, blob] + squared[1][None, :, blob], out=nearest)
-        return _DistanceTable(low, step, np.sqrt(nearest))
+        return _DistanceTable(low, step, np.pad(np.sqrt(nearest), 1, constant_values=np.inf))
 
     def look_up(self, places: FloatArray) -> FloatArray:
         """Return the distances (...,) at positions (..., 2); infinite outside of the table."""
-        index = np.rint((places - self.low) / self.step)
-        inside = np.all((index >= 0) & (index < _TABLE), axis=-1)
-        cell = np.where(inside[..., None], index, 0).astype(np.int64)
-        return np.where(inside, self.distance[cell[..., 0], cell[..., 1]], np.inf)
+        index = np.rint((places - self.low) / self.step) + 1
+        row, column = np.moveaxis(np.fmax(np.fmin(index, _TABLE + 1), 0).astype(np.int64), -1, 0)
+        return np.asarray(self.distance.reshape(-1).take(row * (_TABLE + 2) + column))
