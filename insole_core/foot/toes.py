@@ -73,13 +73,14 @@ def _prominence(heights: FloatArray, at: int) -> float:
 
 def _summit(points: FloatArray, area_mm2: FloatArray, x: float, reach_mm: float) -> float:
     """Return the mean x of the lowest part about x; with strips alone it would jump."""
+    across, lift = np.ascontiguousarray(points[:, 0]), -points[:, 2]
     for _ in range(_ROUNDS):
-        away = np.clip(np.abs(points[:, 0] - x) / reach_mm, 0, 1)
-        near = away < 1
-        lift = -points[near, 2]
-        low = np.maximum(lift - reach(lift, area_mm2[near]) + _SUMMIT_MM, 0.0)
-        weights = area_mm2[near] * low * (1 - away[near] ** 2) ** 2
-        before, x = x, float(weights @ points[near, 0] / weights.sum())
+        away = np.abs(across - x) / reach_mm
+        near = np.flatnonzero(away < 1)
+        lifts, areas = lift[near], area_mm2[near]
+        low = np.maximum(lifts - reach(lifts, areas) + _SUMMIT_MM, 0.0)
+        weights = areas * low * (1 - away[near] ** 2) ** 2
+        before, x = x, float(weights @ across[near] / weights.sum())
         if abs(x - before) < _AT_REST_MM:
             break
     return x

@@ -270,15 +270,16 @@ class _Lattice:
         """Average normals (n, 3) over neighbouring cells that face the same way; unit normals."""
         place = self._numbers(occupied, -1)
         steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-        total = np.zeros_like(normals)
-        for step in steps @ self._strides:
-            other = place[occupied + step]
-            filled = np.flatnonzero(other >= 0)  # a surface runs through few of the neighbours
-            other = other[filled]
-            theirs = normals.take(other, axis=0)
-            like = np.einsum("nc,nc->n", theirs, normals.take(filled, axis=0))
-            weight = area_mm2[other] * np.maximum(like, 0.0)
-            total[filled] += weight[:, None] * theirs
+        weighted = area_mm2[:, None] * normals
+        total = weighted.copy()
+        for step in steps[len(steps) // 2 + 1 :] @ self._strides:  # the others lead back
+            there = place[occupied + step]
+            here = np.flatnonzero(there >= 0)  # a surface runs through few of the neighbours
+            there = there[here]
+            like = np.einsum("nc,nc->n", normals.take(there, axis=0), normals.take(here, axis=0))
+            like = np.maximum(like, 0.0)[:, None]
+            total[here] += like * weighted.take(there, axis=0)
+            total[there] += like * weighted.take(here, axis=0)
         return _unit(total)
 
 
