@@ -17,7 +17,6 @@ from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import pieces
 from insole_core.resources import resource_path
-from insole_core.workflows.open_scan import open_scan
 
 
 @pytest.fixture(scope="module")
@@ -136,12 +135,6 @@ def test_it_is_fast(example: Foot) -> None:
     start = time.process_time()
     display_surface(fresh)
     assert time.process_time() - start < 3.0  # 0.4 s usually
-
-
-def test_a_recorded_session_is_presentable() -> None:
-    session = Path(__file__).parents[2] / "data/sessions/left_small.zip"
-    foot = open_scan(session).foot
-    check_is_presentable(foot.mesh, foot.display_surface())
 
 
 @pytest.mark.shared

@@ -63,7 +63,8 @@ def remeshed(mesh: TriangleMesh) -> TriangleMesh:
 
 Remesh = Callable[[TriangleMesh], TriangleMesh]
 OPEN: list[Remesh] = [subdivided, split]
-CLOSED: list[Remesh] = [*OPEN, decimated, remeshed]
+COARSER: list[Remesh] = [decimated, remeshed]
+CLOSED: list[Remesh] = [*OPEN, *COARSER]
 
 
 def check_same(foot: Foot, again: Foot) -> None:
@@ -86,7 +87,7 @@ def test_triangles_of_a_simulated_foot_do_not_matter(
 
 @pytest.mark.slow
 @pytest.mark.shared
-@pytest.mark.parametrize(("side", "remesh"), list(zip([*Side, *Side], CLOSED, strict=True)))
+@pytest.mark.parametrize(("side", "remesh"), list(zip(Side, COARSER, strict=True)))
 def test_triangles_of_a_real_foot_do_not_matter(
     scanned_mesh: Callable[[str], TriangleMesh],
     real_foot: Callable[[str, Side], Foot],

@@ -144,7 +144,7 @@ CROPPED = {
 """Axis and end of the lower foot that is missing, and measures that lean on it."""
 
 
-@pytest.mark.parametrize("cut_mm", [1.0, 6.0, 12.0])
+@pytest.mark.parametrize("cut_mm", [1.0, 12.0])
 @pytest.mark.parametrize("end", CROPPED)
 def test_an_end_that_was_cropped_is_told(left_mesh: TriangleMesh, end: str, cut_mm: float) -> None:
     axis, sign, leaning = CROPPED[end]
