@@ -10,13 +10,14 @@ from weakref import WeakKeyDictionary
 
 import pytest
 from argon2 import PasswordHasher
-from sqlalchemy import Engine, event
+from sqlalchemy import Connection, Engine, Table, event
 
 from insole_core.cases.stored_mesh import pack_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.records import database, passwords, prescriptions
 from insole_core.records.accounts import Account, Accounts
 from insole_core.records.author import Author, Proof, Role
+from insole_core.records.backup import back_up, portable_rows, restore
 from insole_core.records.database import Database
 from insole_core.records.migrate import migrate
 from insole_core.records.place import RecordsPlace
@@ -42,8 +43,9 @@ def add_member(accounts: Accounts, name: str, full_name: str, role: Role, passwo
 def keep_quickly(patch: pytest.MonkeyPatch) -> None:
     """Do in less time than the product what each record of a test would need again.
 
-    Passwords are hashed quickly, a surface is packed once, a statement is compiled once for all
-    records, and what SQLite keeps is not waited for: no test cuts the power.
+    Passwords are hashed quickly, a surface is packed once, a statement is compiled and tables are
+    read from a schema once for all records, and what SQLite keeps is not waited for: no test cuts
+    the power.
     """
     packed: WeakKeyDictionary[TriangleMesh, bytes] = WeakKeyDictionary()
 
@@ -56,6 +58,9 @@ def keep_quickly(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(prescriptions, "pack_mesh", pack_once)
     patch.setattr(database, "_engine", _sharing_compiled(database._engine))
     patch.setattr(database, "_connect_file", unsynced)
+    reflected = _reflected_once(portable_rows.tables_of)
+    for module in (back_up, restore):
+        patch.setattr(module, "tables_of", reflected)
 
 
 SYNCED = database._connect_file
@@ -67,6 +72,23 @@ def unsynced(path: Path, read_only: bool) -> sqlite3.Connection:
     if not read_only:
         connection.execute("PRAGMA synchronous=OFF")
     return connection
+
+
+def _reflected_once(
+    tables_of: Callable[[Connection], list[Table]],
+) -> Callable[[Connection], list[Table]]:
+    """Give equal SQLite schemas the same tables."""
+    known: dict[tuple[str | None, ...], list[Table]] = {}
+
+    def reflected(connection: Connection) -> list[Table]:
+        if connection.dialect.name != "sqlite":
+            return tables_of(connection)
+        key = tuple(connection.exec_driver_sql("SELECT sql FROM sqlite_master").scalars())
+        if key not in known:
+            known[key] = tables_of(connection)
+        return known[key]
+
+    return reflected
 
 
 def _sharing_compiled(make: Callable[..., Engine]) -> Callable[..., Engine]:
