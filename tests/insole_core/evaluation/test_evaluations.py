@@ -16,6 +16,7 @@ from insole_core.evaluation.resolution import evaluate_resolution
 from insole_core.evaluation.wall import NoCorrection, wall_error
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rigid, rotation_about, transform
+from insole_core.sensing.correction import DisparityCorrection
 from insole_core.sensing.pinhole_camera import PinholeCamera
 from insole_core.sensing.sensor import Sensor
 
@@ -67,13 +68,19 @@ def test_distances_by_axis_with_a_known_error() -> None:
     assert result.distances[0].relative == pytest.approx(0.01)
 
 
+@pytest.fixture(scope="module")
+def calibrated() -> tuple[SimulatedDevice, DisparityCorrection]:
+    device = SimulatedDevice(smooth_distortion(3, 3.56))
+    captures = [device.capture(plane, 10) for plane in WALLS]
+    return device, calibrate_distortion(captures, CAMERA, DISPARITY).correction
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("distance_mm", [850.0, 950.0])
-def test_known_object_measured_with_a_calibrated_device(distance_mm: float) -> None:
-    device = SimulatedDevice(smooth_distortion(3, 3.56))
-    correction = calibrate_distortion(
-        [device.capture(plane, 10) for plane in WALLS], CAMERA, DISPARITY
-    ).correction
+def test_known_object_measured_with_a_calibrated_device(
+    calibrated: tuple[SimulatedDevice, DisparityCorrection], distance_mm: float
+) -> None:
+    device, correction = calibrated
     object2camera = rigid(
         rotation_about(np.array([1.0, 0.4, 0.2]), 25), np.array([-128.0, -20, distance_mm])
     )

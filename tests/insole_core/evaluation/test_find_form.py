@@ -91,7 +91,7 @@ def test_another_size_than_said_is_refused_with_both() -> None:
 
 @pytest.fixture(scope="module")
 def cast() -> TriangleMesh:
-    return build_foot(FootShape(), np.random.default_rng(3), 4.0).mesh
+    return build_foot(FootShape(), np.random.default_rng(3), 6.0).mesh
 
 
 def test_scan_from_any_pose(cast: TriangleMesh) -> None:
