@@ -15,8 +15,8 @@ from insole_core.recording.session import View
 from insole_core.sensing.infrared_reference import RAW_PER_PX, check_picture, on_depth_pixels
 
 _TOLD_SHARE = 0.9
-_TOLD_BRIGHT, _TOLD_NOISY = 0.2, 0.5
-"""Dim and slanting parts make up to 0.1 of a foot bright, and far ones up to 0.4 noisy."""
+_TOLD_BRIGHT, _TOLD_NOISY = 0.13, 0.4
+"""Of undisturbed views up to 0.05 is bright and 0.3 noisy; in sunlight 0.21 or more is bright."""
 _BRIGHT = (
     "View {view}: on {share:.0%} of the foot its infrared pictures were hardly trusted, because "
     "bright light outshines the dots, and the deviation stated there is larger; keep sunlight and "
@@ -138,13 +138,9 @@ def infrared_warnings(
         if use.used and use.share < _TOLD_SHARE
     ]
     told += [
-        Message(sentence, view=name, share=share)
+        Message(doubt[0], view=name, share=doubt[1])
         for name, use in infrared.items()
-        for sentence, share, told_from in (
-            (_BRIGHT, use.bright, _TOLD_BRIGHT),
-            (_NOISY, use.noisy, _TOLD_NOISY),
-        )
-        if use.used and share > told_from
+        if use.used and (doubt := _doubt(use))
     ]
     told += [
         Message(
@@ -157,6 +153,15 @@ def infrared_warnings(
         if use.used and (sentence := _why_off(use))
     ]
     return told
+
+
+def _doubt(use: InfraredUse) -> tuple[str, float] | None:
+    """Return what disturbs a picture, and on which share; bright light brings noise of its own."""
+    if use.bright > _TOLD_BRIGHT:
+        return _BRIGHT, use.bright
+    if use.noisy > _TOLD_NOISY:
+        return _NOISY, use.noisy
+    return None
 
 
 def _why_off(use: InfraredUse) -> str:

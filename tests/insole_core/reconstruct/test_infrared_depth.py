@@ -26,6 +26,7 @@ from insole_core.geometry.ray_casting import RayCaster
 from insole_core.reconstruct import Reconstruction, reconstruct, report_json
 from insole_core.reconstruct.fusion import infrared_surface
 from insole_core.reconstruct.fusion.infrared_evidence import Evidence, infrared_evidence
+from insole_core.reconstruct.fusion.infrared_surface import InfraredUse
 from insole_core.reconstruct.views.infrared_pictures import infrared_view, infrared_warnings
 from insole_core.recording.images import encode_png
 from insole_core.recording.reader import read_session
@@ -156,6 +157,23 @@ def test_where_light_or_noise_covers_the_dots_is_told(
     assert refined.deviation_mm is not None
     assert made.deviation_mm.mean() > refined.deviation_mm.mean()
     assert not any("outshines" in told or "noise covers" in told for told in refined.warnings)
+
+
+@pytest.mark.parametrize(
+    ("bright", "noisy", "reason"),
+    [
+        (0.05, 0.3, ""),
+        (0.21, 0.46, "because bright light outshines the dots"),
+        (0.04, 0.56, "because noise covers the dots"),
+    ],
+)
+def test_undisturbed_views_are_silent_and_disturbed_ones_name_one_reason(
+    bright: float, noisy: float, reason: str
+) -> None:
+    """The greatest shares of ten simulated feet without a disturbance, the least with one."""
+    use = InfraredUse(1.0, used=True, bright=bright, noisy=noisy)
+    told = infrared_warnings({}, {"left": use})
+    assert [reason in sentence for sentence in told] == [True] * bool(reason)
 
 
 def test_a_pattern_that_drifted_is_told_and_moves_nothing(
