@@ -131,7 +131,7 @@ def test_a_print_is_laid_in_its_scale(right_foot: Foot, tmp_path: Path) -> None:
         for name in ("ink.png", "ink.tif")
     )
     np.testing.assert_array_equal(picture.colors, same.colors)
-    assert picture.pitch_mm == pytest.approx(same.pitch_mm)
+    assert picture.pitch_mm == pytest.approx(same.pitch_mm, rel=1e-4)
     laid = lay_picture(right_foot, picture, SeenFrom.BELOW)
     assert laid.doubts == ()
     corners = np.array([[0.0, 110.0], [0.0, -110.0]])
