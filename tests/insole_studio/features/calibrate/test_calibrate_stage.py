@@ -166,8 +166,8 @@ def test_colour_camera_from_folder_to_device(
 
 
 @pytest.mark.slow
-def test_walls_say_which_distances_are_missing(
-    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle
+def test_walls_say_which_distances_are_missing_and_need_a_place_that_can_be_written(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
 ) -> None:
     give_serial(stage)
     stage.view.steps.setCurrentRow(1)
@@ -181,6 +181,11 @@ def test_walls_say_which_distances_are_missing(
     settle()
     assert "3 of 3 walls were used" in stage.view.next_steps.text()
     assert "six distances or more are better" in stage.view.next_steps.text()
+    (tmp_path / "sensors").write_text("in the way")
+    stage.view.save.click()
+    settle()
+    assert "cannot be written" in stage.view.error.text()
+    assert stage.view.save.isEnabled()
 
 
 def test_a_folder_without_the_board(
@@ -280,24 +285,6 @@ def test_closing_stops_the_work(
     with qtbot.waitSignal(stage.closed):
         stage.close()
     assert not stage.jobs.is_running()
-
-
-@pytest.mark.slow
-def test_a_place_that_cannot_be_written(
-    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path
-) -> None:
-    give_serial(stage)
-    stage.view.steps.setCurrentRow(1)
-    chosen.folder = pictures / "walls"
-    stage.view.choose.click()
-    settle()
-    stage.view.calibrate.click()
-    settle()
-    (tmp_path / "sensors").write_text("in the way")
-    stage.view.save.click()
-    settle()
-    assert "cannot be written" in stage.view.error.text()
-    assert stage.view.save.isEnabled()
 
 
 def test_opened_from_the_menu_and_closed_with_the_program(app: Application) -> None:

@@ -92,19 +92,6 @@ def test_a_board_that_stands_still_is_taken_once(
     assert not stage.view.take.isVisible()
 
 
-def test_the_wall_with_its_distance(stage: CalibrateStage, qtbot: QtBot, tmp_path: Path) -> None:
-    stage.view.automatic.setChecked(False)
-    stage.view.live.click()
-    qtbot.waitUntil(lambda: stage.view.serial_line.text() == "SIM1")
-    stage.view.steps.setCurrentRow(1)
-    qtbot.waitUntil(lambda: "a wall at 700 mm" in said(stage))
-    assert stage.view.looks.count() == 0
-    stage.view.take.click()
-    qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
-    text = stage.view.next_steps.text()
-    assert "Capture the wall at about these distances: 500, 600, 800, 900, 1000 mm." in text
-
-
 @pytest.fixture
 def stereo(qtbot: QtBot, tmp_path: Path) -> Iterator[CalibrateStage]:
     """A RealSense that nobody has calibrated, before a wall at 520 mm."""
@@ -146,61 +133,61 @@ def test_of_a_realsense_only_the_walls_are_left(
 
 
 @pytest.mark.slow
-def test_infrared_pictures_in_place_of_colour(
+def test_each_step_takes_its_own_pictures_of_one_sensor(
     stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
 ) -> None:
+    """Colour, the wall with its distance, infrared in place of colour, a wall of dots."""
+
+    def waits_for(beginning: str) -> None:
+        qtbot.waitUntil(lambda: said(stage).startswith(beginning))
+
+    def taken(beginning: str) -> None:
+        qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
+        assert stage.view.looks.item(0).text().startswith(beginning)
+
     stage.view.automatic.setChecked(False)
     stage.view.live.click()
-    qtbot.waitUntil(lambda: stage.view.serial_line.text() == "SIM1")
-    stage.view.steps.setCurrentRow(2)
-    qtbot.waitUntil(lambda: said(stage).startswith("54 corners, "))
-    stage.view.automatic.setChecked(True)
-    qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
-    assert stage.view.looks.item(0).text().startswith("✓  ir_000.png: 54 corners, ")
-    (kept,) = (tmp_path / "pictures" / "SIM1").glob("*/depth_camera/*")
-    infrared = cv2.imread(str(kept), cv2.IMREAD_UNCHANGED)
-    assert (infrared.shape, infrared.dtype) == ((480, 640), np.uint8)
-    stage.view.steps.setCurrentRow(0)
-    qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
-    assert stage.view.looks.item(0).text().startswith("✓  color_000.png: 54 corners, ")
-
-
-def test_a_wall_of_dots_is_taken_in_depth_and_infrared(
-    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
-) -> None:
-    stage.view.automatic.setChecked(False)
-    stage.view.live.click()
-    qtbot.waitUntil(lambda: stage.view.serial_line.text() == "SIM1")
-    stage.view.steps.setCurrentRow(4)
-    qtbot.waitUntil(lambda: "a wall at 700 mm" in said(stage))
-    stage.view.take.click()
-    qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
-    assert stage.view.looks.item(0).text().startswith("✓  infrared_00.png: a wall at 700 mm")
-    text = stage.view.next_steps.text()
-    assert "Take 7 more walls at other distances." in text
-    assert "Capture the wall at about these distances: 600, 800, 900 mm." in text
-    (folder,) = (tmp_path / "pictures" / "SIM1").glob("*/infrared_pattern")
-    names = {"infrared_00.png", "depth_00.png", "sensor.json"}
-    assert {path.name for path in folder.iterdir()} == names
-    (wall,) = read_infrared_walls(folder, "SIM1")
-    assert wall.shift_px == (4.8, 3.9)
-    assert not stage.view.check.isEnabled()
-
-
-def test_what_is_being_taken_stays_with_its_step(
-    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
-) -> None:
-    stage.view.automatic.setChecked(False)
-    stage.view.live.click()
-    qtbot.waitUntil(lambda: said(stage).startswith("54 corners, "))
+    waits_for("54 corners, ")
     stage.view.take.click()
     assert said(stage).startswith("Taking the picture")
-    stage.view.steps.setCurrentRow(1)
+    stage.view.steps.setCurrentRow(1)  # what is being taken stays with its step
     qtbot.waitUntil(lambda: "a wall at 700 mm" in said(stage))
     (day,) = (tmp_path / "pictures" / "SIM1").iterdir()
     assert [path.name for path in day.iterdir()] == ["camera"]
     assert (day / "camera" / "color_000.png").is_file()
     assert stage.view.looks.count() == 0
+    stage.view.take.click()
+    qtbot.waitUntil(lambda: stage.view.looks.count() == 1)
+    text = stage.view.next_steps.text()
+    assert "Capture the wall at about these distances: 500, 600, 800, 900, 1000 mm." in text
+
+    stage.view.steps.setCurrentRow(2)
+    waits_for("54 corners, ")
+    assert stage.view.looks.count() == 0
+    stage.view.automatic.setChecked(True)
+    taken("✓  ir_000.png: 54 corners, ")
+    stage.view.automatic.setChecked(False)
+    (kept,) = (day / "depth_camera").iterdir()
+    infrared = cv2.imread(str(kept), cv2.IMREAD_UNCHANGED)
+    assert (infrared.shape, infrared.dtype) == ((480, 640), np.uint8)
+    stage.view.steps.setCurrentRow(0)
+    waits_for("54 corners, ")
+    taken("✓  color_000.png: 54 corners, ")
+
+    stage.view.steps.setCurrentRow(4)
+    qtbot.waitUntil(lambda: "a wall at 700 mm" in said(stage))
+    assert stage.view.looks.count() == 0
+    stage.view.take.click()
+    taken("✓  infrared_00.png: a wall at 700 mm")
+    text = stage.view.next_steps.text()
+    assert "Take 7 more walls at other distances." in text
+    assert "Capture the wall at about these distances: 600, 800, 900 mm." in text
+    folder = day / "infrared_pattern"
+    names = {"infrared_00.png", "depth_00.png", "sensor.json"}
+    assert {path.name for path in folder.iterdir()} == names
+    (wall,) = read_infrared_walls(folder, "SIM1")
+    assert wall.shift_px == (4.8, 3.9)
+    assert not stage.view.check.isEnabled()
 
 
 @pytest.mark.slow
