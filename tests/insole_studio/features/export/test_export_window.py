@@ -6,6 +6,7 @@ import ast
 import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 from hashlib import sha256
 from pathlib import Path
 
@@ -120,15 +121,19 @@ def when_asked(kind: type[QDialog], act: Callable[[QDialog], None]) -> None:
     QTimer.singleShot(50, look)
 
 
-def test_the_stage_stays_above_the_main_window(app: Application, stage: ExportStage) -> None:
+def test_dialogs_are_over_the_stage_which_stays_above_the_main_window_and_go_with_it(
+    app: Application,
+    stage: ExportStage,
+    settle: Callable[[], None],
+    paths_given: PathGiven,
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    """That of the file is the real one, as a user gets it."""
     assert stage.windowHandle().transientParent() is app.window.windowHandle()
     features = app.features
     for feature in (features.capture, features.calibrate, features.compare, features.foot):
         assert feature.parent() is app.window
-
-
-def test_the_file_dialog_is_over_the_stage(app: Application, stage: ExportStage) -> None:
-    """With the real dialog, as a user gets it."""
     app.services.messages.questions = Questions(app.window)
     owners: list[QWidget | None] = []
 
@@ -140,14 +145,7 @@ def test_the_file_dialog_is_over_the_stage(app: Application, stage: ExportStage)
     QTest.mouseClick(stage.view.export, LEFT)
     assert owners == [stage]
 
-
-def test_a_failed_export_is_a_dialog_over_the_stage(
-    app: Application,
-    stage: ExportStage,
-    settle: Callable[[], None],
-    paths_given: PathGiven,
-    tmp_path: Path,
-) -> None:
+    app.services.messages.questions = paths_given
     paths_given.answer = tmp_path / "none" / "o.stl"
     QTest.mouseClick(stage.view.export, LEFT)
     settle()
@@ -159,18 +157,9 @@ def test_a_failed_export_is_a_dialog_over_the_stage(
     dialog.done(0)
     assert app.services.messages.dialogs == []
 
-
-def test_a_dialog_goes_with_its_window(
-    app: Application,
-    stage: ExportStage,
-    settle: Callable[[], None],
-    paths_given: PathGiven,
-    tmp_path: Path,
-    qtbot: QtBot,
-) -> None:
-    paths_given.answer = tmp_path / "none" / "o.stl"
     QTest.mouseClick(stage.view.export, LEFT)
     settle()
+    assert len(app.services.messages.dialogs) == 1
     stage.close()
     qtbot.waitUntil(lambda: app.services.messages.dialogs == [])
 
@@ -178,19 +167,24 @@ def test_a_dialog_goes_with_its_window(
 BEFORE_ANY_WINDOW = "app/graphics.py"
 
 
-def calls_of_dialogs() -> Iterator[tuple[str, ast.Call]]:
+DIALOGS = ("QFileDialog", "QMessageBox", "QInputDialog", "ErrorDialog")
+
+
+@cache
+def calls_of_dialogs() -> Sequence[tuple[str, ast.Call]]:
     root = Path(insole_studio.__file__).parent
-    for path in root.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if not isinstance(node, ast.Call):
-                continue
-            named = ast.unparse(node.func)
-            if named.split(".")[0] in ("QFileDialog", "QMessageBox", "QInputDialog", "ErrorDialog"):
-                yield f"{path.relative_to(root)}:{node.lineno}", node
+    texts = {path: path.read_text(encoding="utf-8") for path in root.rglob("*.py")}
+    return [
+        (f"{path.relative_to(root)}:{node.lineno}", node)
+        for path, text in texts.items()
+        if any(name in text for name in DIALOGS)
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[0] in DIALOGS
+    ]
 
 
 def test_every_dialog_names_the_window_it_belongs_to() -> None:
-    calls = list(calls_of_dialogs())
+    calls = calls_of_dialogs()
     assert len(calls) >= 8
     owners = {"self", "self._parent", "self._window", "over or self._window", "parent"}
     strays = [
@@ -210,15 +204,26 @@ def test_all_file_dialogs_come_from_where_their_folders_are_remembered() -> None
     assert {place.split(":")[0] for place in places} == {"services/questions.py"}
 
 
-def test_the_shop_gets_the_order_number_and_the_case_keeps_it(
+def test_the_shop_gets_the_order_number_but_no_name_and_the_case_keeps_it(
     app: Application,
     stage: ExportStage,
     settle: Callable[[], None],
     paths_given: PathGiven,
     tmp_path: Path,
 ) -> None:
+    stage.view.form.pseudonym.setFocus()
+    QTest.keyClicks(stage.view.form.pseudonym, "Bergqvist 7")
+    paths_given.answer = tmp_path / "o.stl"
+    QTest.mouseClick(stage.view.export, LEFT)
+    settle()
+    (dialog,) = app.services.messages.dialogs
+    assert "holds the patient's name" in dialog.text()
+    assert list(tmp_path.glob("*.stl")) == []
+    dialog.done(0)
+    paths_given.suggested.clear()
+
     number = stage.view.form.pseudonym.placeholderText()
-    order(stage, both=True, block=block_named(stage, "EVA pair"), job_sheet=False)
+    order(stage, pseudonym="", both=True, block=block_named(stage, "EVA pair"), job_sheet=False)
     settle()
     paths_given.answer = tmp_path / f"{number}.stl"
     QTest.mouseClick(stage.view.export, LEFT)
@@ -278,24 +283,6 @@ def form_of(app: Application, record: CaseRecord, settle: Callable[[], None]) ->
     return form
 
 
-def test_a_name_typed_as_a_pseudonym_is_refused(
-    app: Application,
-    stage: ExportStage,
-    settle: Callable[[], None],
-    paths_given: PathGiven,
-    tmp_path: Path,
-) -> None:
-    stage.view.form.pseudonym.setFocus()
-    QTest.keyClicks(stage.view.form.pseudonym, "Bergqvist 7")
-    paths_given.answer = tmp_path / "o.stl"
-    QTest.mouseClick(stage.view.export, LEFT)
-    settle()
-    (dialog,) = app.services.messages.dialogs
-    assert "holds the patient's name" in dialog.text()
-    assert list(tmp_path.glob("*.stl")) == []
-    dialog.done(0)
-
-
 def block_named(stage: ExportStage, name: str) -> Block:
     return next(b for b in stage.presenter._blocks if b.name == name)
 
@@ -304,16 +291,14 @@ def sign_of(stage: ExportStage, name: str) -> CheckState:
     return CheckState(stage.view.check_list.rows[name].sign.property("state"))
 
 
-def test_no_block_fits_nothing(stage: ExportStage) -> None:
+def test_the_block_is_checked_with_what_is_written_into_it(
+    stage: ExportStage, settle: Callable[[], None]
+) -> None:
+    """No block fits nothing; each alone may fit where the pair does not; a nest is both."""
     assert stage.view.form.block.currentData() == ""
     assert sign_of(stage, "block") is CheckState.OFF
     assert stage.view.check_list.rows["block"].sentence.text() == "no block is chosen"
 
-
-def test_a_pair_that_does_not_fit_cannot_be_exported(
-    stage: ExportStage, settle: Callable[[], None]
-) -> None:
-    """Each alone fits; what is checked is what would be written."""
     order(stage, both=True, block=block_named(stage, "EVA single"))
     settle()
     assert sign_of(stage, "block") is CheckState.BLOCKING
@@ -328,12 +313,7 @@ def test_a_pair_that_does_not_fit_cannot_be_exported(
     assert stage.view.error.text() == ""
     assert stage.view.export.isEnabled()
 
-
-def test_checks_of_the_nest_are_those_of_both(
-    stage: ExportStage, settle: Callable[[], None]
-) -> None:
     stage.view.rule_edited.emit("shoe_height", "warning", 2.0)
-    order(stage, both=True, block=block_named(stage, "EVA pair"))
     settle()
     stage.presenter.show_part("nest")
     assert sign_of(stage, "shoe_height") is CheckState.WARNING
