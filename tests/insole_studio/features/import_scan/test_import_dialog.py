@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -73,9 +74,16 @@ def choose_size(fields: SizeFields, kind: str) -> None:
     fields.kind.activated.emit(fields.kind.currentIndex())
 
 
-def test_return_takes_the_side_that_the_shape_tells(
+def test_escape_leaves_all_as_it_was_and_return_takes_the_side_that_the_shape_tells(
     app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
 ) -> None:
+    record = app.case.record
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    assert asked_scan(app) is None
+    assert app.case.record is record
+    assert not app.jobs.is_running()
     dialog = open_scan(right_foot)
     assert dialog is not None
     assert "right foot by its shape" in dialog.finding.text()
@@ -86,12 +94,19 @@ def test_return_takes_the_side_that_the_shape_tells(
     assert asked_scan(app) is None
 
 
-def test_the_other_side_is_opened_only_if_the_user_insists(
+def test_the_other_side_outlives_another_reading_and_is_opened_only_if_the_user_insists(
     app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
 ) -> None:
     dialog = open_scan(right_foot)
     assert dialog is not None
     QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    choose_size(dialog.size_fields, "mm")
+    assert not dialog.open_button.isEnabled()
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    assert not dialog.open_button.isEnabled()  # what is shown is being read anew
+    settle()
+    assert dialog.open_button.isEnabled()
+    assert dialog.sides[Side.LEFT].isChecked()
     QTest.mouseClick(dialog.open_button, LEFT)
     settle()
     assert app.case.foot is None
@@ -116,25 +131,6 @@ def test_a_contradicted_side_is_put_right_with_one_press(
     settle()
     assert app.case.foot is not None
     assert app.case.foot.side is Side.RIGHT
-
-
-def test_nothing_is_asked_of_a_scan_whose_side_is_known(
-    app: Application, open_scan: Open, right_foot: TriangleMesh
-) -> None:
-    assert open_scan(right_foot, Side.RIGHT) is None  # type: ignore[call-arg]
-    assert app.case.foot is not None
-
-
-def test_escape_leaves_everything_as_it_was(
-    app: Application, open_scan: Open, right_foot: TriangleMesh
-) -> None:
-    record = app.case.record
-    dialog = open_scan(right_foot)
-    assert dialog is not None
-    QTest.keyClick(dialog, Qt.Key.Key_Escape)
-    assert asked_scan(app) is None
-    assert app.case.record is record
-    assert not app.jobs.is_running()
 
 
 def test_a_unit_that_makes_no_foot_is_refused_and_another_one_taken(
@@ -210,21 +206,6 @@ def test_two_scans_opened_one_after_the_other_show_the_newer(
     assert [dialog.windowTitle() for dialog in dialogs] == ["Open the scan second.ply"]
 
 
-def test_a_side_that_was_pressed_outlives_another_reading(
-    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
-) -> None:
-    dialog = open_scan(right_foot)
-    assert dialog is not None
-    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
-    choose_size(dialog.size_fields, "mm")
-    assert not dialog.open_button.isEnabled()
-    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
-    assert not dialog.open_button.isEnabled()  # what is shown is being read anew
-    settle()
-    assert dialog.open_button.isEnabled()
-    assert dialog.sides[Side.LEFT].isChecked()
-
-
 @pytest.mark.slow
 def test_of_both_feet_only_the_one_that_was_asked_for_is_marked(
     app: Application, open_scan: Open, settle: Callable[[], None], box: TriangleMesh
@@ -238,28 +219,18 @@ def test_of_both_feet_only_the_one_that_was_asked_for_is_marked(
 
 
 @pytest.mark.slow
-def test_both_feet_of_a_foam_box_are_opened_at_once_unless_of_one_side(
-    app: Application, open_scan: Open, settle: Callable[[], None], box: TriangleMesh
-) -> None:
-    dialog = open_scan(box)
-    assert dialog is not None
-    assert dialog.feet.count() == 2
-    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
-    assert not dialog.open_button.isEnabled()
-    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
-    QTest.keyClick(dialog.feet, Qt.Key.Key_Down)
-    assert "right foot" in dialog.finding.text()
-    QTest.keyClick(dialog, Qt.Key.Key_Return)
-    settle()
-    assert [foot.side for foot in app.case.record.feet] == [Side.LEFT, Side.RIGHT]
-
-
-@pytest.mark.slow
-def test_two_clicked_points_give_the_scale_of_a_scan_without_unit(
+def test_a_shoe_size_or_two_clicked_points_give_the_scale_of_a_scan_without_unit(
     app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
 ) -> None:
     dialog = open_scan(replace(right_foot, vertices=right_foot.vertices * 0.003))
     assert dialog is not None
+    assert not dialog.open_button.isEnabled()
+    choose_size(dialog.size_fields, "shoe")
+    settle()
+    assert dialog.open_button.isEnabled()
+    told = re.search(r"(\d+) mm long", dialog.finding.text())
+    assert told is not None
+    assert int(told[1]) == pytest.approx(40 * 20 / 3 - 15, abs=12.0)
     choose_size(dialog.size_fields, "distance")
     settle()
     length_mm = float(np.ptp(right_foot.vertices[:, 1]))
@@ -285,30 +256,17 @@ def test_two_clicked_points_give_the_scale_of_a_scan_without_unit(
     assert app.case.foot.length_mm == pytest.approx(length_mm, rel=0.02)
 
 
-def test_the_shoe_size_gives_the_scale_of_a_scan_without_unit(
-    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
-) -> None:
-    dialog = open_scan(replace(right_foot, vertices=right_foot.vertices * 0.003))
-    assert dialog is not None
-    assert not dialog.open_button.isEnabled()
-    choose_size(dialog.size_fields, "shoe")
-    settle()
-    QTest.keyClick(dialog, Qt.Key.Key_Return)
-    settle()
-    assert app.case.foot is not None
-    assert app.case.foot.length_mm == pytest.approx(40 * 20 / 3 - 15, abs=12.0)
-
-
 @pytest.mark.slow
-def test_the_same_file_at_another_size_is_another_foot(
+def test_nothing_is_asked_of_a_known_side_and_the_file_at_another_size_is_another_foot(
     app: Application,
     questions: Any,
     open_scan: Open,
     settle: Callable[[], None],
     right_foot: TriangleMesh,
 ) -> None:
-    open_scan(right_foot, Side.RIGHT)  # type: ignore[call-arg]
+    assert open_scan(right_foot, Side.RIGHT) is None  # type: ignore[call-arg]
     before = app.case.foot
+    assert before is not None
     dialog = open_scan(right_foot)
     assert dialog is not None
     choose_size(dialog.size_fields, "shoe")
@@ -321,12 +279,13 @@ def test_the_same_file_at_another_size_is_another_foot(
     QTest.mouseClick(dialog.open_button, LEFT)
     questions.same_side = SameSide.REPLACE
     settle()
-    assert app.case.foot is not before
+    assert app.case.foot is not None
+    assert app.case.foot.length_mm == pytest.approx(46 * 20 / 3 - 15, abs=12.0)
     assert app.case.history.undo_sentence == "Put a new scan into the place of the old"
 
 
 @pytest.mark.slow
-def test_both_feet_of_a_reopened_case_are_read_as_before_without_saying_it_again(
+def test_both_feet_of_a_box_are_opened_at_once_and_of_the_reopened_case_read_as_before(
     app: Application, settle: Callable[[], None], tmp_path: Path, box: TriangleMesh
 ) -> None:
     def open_file(path: Path) -> ImportDialog | None:
@@ -338,9 +297,16 @@ def test_both_feet_of_a_reopened_case_are_read_as_before_without_saying_it_again
     write_ply(box, scan)
     dialog = open_file(scan)
     assert dialog is not None
+    assert dialog.feet.count() == 2
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    assert not dialog.open_button.isEnabled()  # both would be of one side
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    QTest.keyClick(dialog.feet, Qt.Key.Key_Down)
+    assert "right foot" in dialog.finding.text()
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     settle()
     before = app.case.record.feet
+    assert [foot.side for foot in before] == [Side.LEFT, Side.RIGHT]
     app.features.case_files.saver.save_to(case)
     settle()
     app.features.case_files.opener.new_case()
@@ -348,7 +314,7 @@ def test_both_feet_of_a_reopened_case_are_read_as_before_without_saying_it_again
     open_file(case)
     dialog = open_file(moved)
     assert dialog is not None
-    assert dialog.size_fields.unit == "mm"
+    assert dialog.size_fields.unit == "mm"  # without saying it again
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     settle()
     after = app.case.record.feet
