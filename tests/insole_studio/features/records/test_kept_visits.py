@@ -82,13 +82,6 @@ def away(monkeypatch: pytest.MonkeyPatch) -> Callable[[bool], None]:
     return switch
 
 
-def test_a_visit_opens_on_the_panels(opened: Application, visit: Visit) -> None:
-    assert opened.window.page is None
-    assert opened.case.record.patient.name == "Anna Berg"
-    assert opened.case.side is Side.LEFT
-    assert not opened.case.has_unsaved_changes
-
-
 def test_a_change_is_in_the_record_soon(
     opened: Application,
     records: Records,
@@ -106,9 +99,22 @@ def test_a_change_is_in_the_record_soon(
     assert not opened.case.has_unsaved_changes
 
 
-def test_one_editing_is_one_version(
-    opened: Application, records: Records, visit: Visit, qtbot: QtBot
+def test_a_visit_keeps_what_is_worked_on_it(
+    opened: Application, records: Records, visit: Visit, questions, tmp_path: Path, qtbot: QtBot
 ) -> None:
+    """It opens on the panels; one editing is one version, and saving keeps one for a reason."""
+    assert opened.window.page is None
+    assert opened.case.record.patient.name == "Anna Berg"
+    assert opened.case.side is Side.LEFT
+    assert not opened.case.has_unsaved_changes
+
+    questions.path = tmp_path / "copy.insole"
+    opened.controller.run_action("save_as", False)  # writes a copy to send
+    qtbot.waitUntil(lambda: not opened.jobs.is_running())
+    assert read_case(tmp_path / "copy.insole").patient.name == "Anna Berg"
+    assert opened.case.path is None
+    assert opened.case.kept is not None
+
     for thickness_mm in (4.0, 5.0):
         thicken(opened, thickness_mm)
         wait_until_saved(opened, qtbot)
@@ -116,55 +122,29 @@ def test_one_editing_is_one_version(
     assert [version.number for version in versions] == [2, 1]
     assert newest_mm(records, visit) == 5.0
 
-
-def test_the_patients_fields_are_those_of_the_person(
-    opened: Application, records: Records, visit: Visit, qtbot: QtBot
-) -> None:
     patient = replace(opened.case.record.patient, name="Anna Dal", notes="Pain at night")
     opened.case.apply(patient, "Edit")
     wait_until_saved(opened, qtbot)
     assert records.persons.get(visit.person_id).name == "Anna Dal"
-    stored = records.visits.get(visit.id)
-    assert stored.findings == "Pain at night"
+    assert records.visits.get(visit.id).findings == "Pain at night"
 
+    def reasons() -> list[str]:
+        return [v.reason for v in records.prescriptions.versions(visit.id, Side.LEFT)]
 
-def test_a_change_is_saved_before_the_visit_is_left(
-    opened: Application, records: Records, visit: Visit, qtbot: QtBot
-) -> None:
+    questions.typed = "Before the new shoe"
+    opened.controller.run_action("save", False)
+    qtbot.waitUntil(lambda: "Before the new shoe" in reasons())
+
     thicken(opened, 6.0)
-    opened.controller.run_action("new_case", False)
+    opened.controller.run_action("new_case", False)  # it is left once the change is saved
     qtbot.waitUntil(lambda: opened.case.kept is None)
     assert newest_mm(records, visit) == 6.0
     assert opened.window.status._kept.text() == ""
 
 
-def test_saving_keeps_a_version_for_a_reason(
-    opened: Application, records: Records, visit: Visit, questions, qtbot: QtBot
-) -> None:
-    questions.typed = "Before the new shoe"
-    opened.controller.run_action("save", False)
-    qtbot.waitUntil(
-        lambda: (
-            "Before the new shoe"
-            in [v.reason for v in records.prescriptions.versions(visit.id, Side.LEFT)]
-        )
-    )
-
-
-def test_saving_under_another_name_writes_a_copy_to_send(
-    opened: Application, questions, tmp_path: Path, qtbot: QtBot
-) -> None:
-    questions.path = tmp_path / "copy.insole"
-    opened.controller.run_action("save_as", False)
-    qtbot.waitUntil(lambda: not opened.jobs.is_running())
-    assert read_case(tmp_path / "copy.insole").patient.name == "Anna Berg"
-    assert opened.case.path is None
-    assert opened.case.kept is not None
-
-
 @pytest.mark.parametrize(
     ("choice", "shown_mm", "variants"),
-    [(Choice.MINE, 5.0, ["A"]), (Choice.THEIRS, 7.0, ["A"]), (Choice.BOTH, 5.0, ["A", "Dr. Dal"])],
+    [(Choice.THEIRS, 7.0, ["A"]), (Choice.BOTH, 5.0, ["A", "Dr. Dal"])],
 )
 def test_who_saves_second_sees_both_versions_and_loses_none(
     opened: Application,
@@ -179,11 +159,22 @@ def test_who_saves_second_sees_both_versions_and_loses_none(
     change_elsewhere(other_station, visit, 7.0)
     thicken(opened, 5.0)
     dialog = conflict_dialog(opened, qtbot)
+    assert_told(dialog)
+    QTest.mouseClick(dialog.buttons[choice], Qt.MouseButton.LeftButton)
+    wait_until_saved(opened, qtbot)
+    assert_kept(opened, records, visit, shown_mm, variants)
+
+
+def assert_told(dialog: ConflictDialog) -> None:
     texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
     assert "Dr. Dal, capture-room" in texts
     assert "7 mm → 5 mm" in texts
-    QTest.mouseClick(dialog.buttons[choice], Qt.MouseButton.LeftButton)
-    wait_until_saved(opened, qtbot)
+
+
+def assert_kept(
+    opened: Application, records: Records, visit: Visit, shown_mm: float, variants: list[str]
+) -> None:
+    """The case shows what was chosen, and the record has both versions."""
     foot = opened.case.record.current
     assert foot is not None
     assert foot.design.thickness_mm == newest_mm(records, visit) == shown_mm
@@ -195,8 +186,8 @@ def test_who_saves_second_sees_both_versions_and_loses_none(
     assert {5.0, 7.0} <= kept
 
 
-def test_a_decision_can_wait(
-    opened: Application, other_station: Records, visit: Visit, qtbot: QtBot
+def test_a_decision_can_wait_and_may_be_for_ones_own_version(
+    opened: Application, records: Records, other_station: Records, visit: Visit, qtbot: QtBot
 ) -> None:
     change_elsewhere(other_station, visit, 7.0)
     thicken(opened, 5.0)
@@ -206,8 +197,10 @@ def test_a_decision_can_wait(
     QTest.qWait(0)
     opened.services.notices.take("record-conflict")
     dialog = conflict_dialog(opened, qtbot)
+    assert_told(dialog)
     QTest.mouseClick(dialog.buttons[Choice.MINE], Qt.MouseButton.LeftButton)
     wait_until_saved(opened, qtbot)
+    assert_kept(opened, records, visit, 5.0, ["A"])
 
 
 def rename_elsewhere(station: Records, visit: Visit, name: str) -> None:
@@ -299,7 +292,7 @@ def test_a_visit_left_meanwhile_is_handed_over_when_the_database_is_back(
     qtbot.waitUntil(lambda: [notice.text for notice in notices.notices] == [said])
 
 
-def test_a_journal_left_by_a_crash_is_handed_over(
+def test_a_journal_left_by_a_crash_is_handed_over_and_one_of_what_is_stored_is_no_conflict(
     opened: Application,
     records: Records,
     visit: Visit,
@@ -307,13 +300,22 @@ def test_a_journal_left_by_a_crash_is_handed_over(
     paths: UserPaths,
     qtbot: QtBot,
 ) -> None:
-    away(True)
+    told: list[tuple[str, bool]] = []
+    opened.hand_over.handed_over.connect(lambda *said: told.append(said))
     thicken(opened, 5.5)
+    opened.autosave.set_aside()
+    wait_until_saved(opened, qtbot)
+    opened.hand_over.take(find_recovered(paths.autosave_folder))
+    qtbot.waitUntil(lambda: told == [("Anna Berg", False)])
+    assert len(records.prescriptions.versions(visit.id, Side.LEFT)) == 2
+
+    away(True)
+    thicken(opened, 6.0)
     opened.autosave.set_aside()  # as the copy of a program that has crashed: its lock is free
     opened.case.undo()
     away(False)
     opened.hand_over.take(find_recovered(paths.autosave_folder))
-    qtbot.waitUntil(lambda: newest_mm(records, visit) == 5.5)
+    qtbot.waitUntil(lambda: newest_mm(records, visit) == 6.0)
     qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")))
 
 
@@ -365,19 +367,6 @@ def test_a_journal_of_somebody_erased_meanwhile_goes_without_bringing_them_back(
     qtbot.waitUntil(lambda: not list(paths.autosave_folder.glob("*.insole")))
     assert newest_mm(records, visit) != 5.5
     assert records.persons.get(visit.person_id).name != "Anna Berg"
-
-
-def test_a_journal_of_what_is_stored_already_is_no_conflict(
-    opened: Application, records: Records, visit: Visit, paths: UserPaths, qtbot: QtBot
-) -> None:
-    thicken(opened, 5.5)
-    opened.autosave.set_aside()
-    wait_until_saved(opened, qtbot)
-    told: list[tuple[str, bool]] = []
-    opened.hand_over.handed_over.connect(lambda *said: told.append(said))
-    opened.hand_over.take(find_recovered(paths.autosave_folder))
-    qtbot.waitUntil(lambda: told == [("Anna Berg", False)])
-    assert len(records.prescriptions.versions(visit.id, Side.LEFT)) == 2
 
 
 def test_a_journal_that_somebody_else_has_overtaken_stays_in_the_history(

@@ -119,7 +119,7 @@ def test_orders_are_listed_moved_and_cancelled_and_nothing_vanishes(
     assert keys(page) == []
 
 
-def test_ten_thousand_orders_are_searched_sorted_and_loaded_as_one_scrolls(
+def test_a_thousand_orders_are_searched_sorted_and_loaded_as_one_scrolls(
     page: OrdersPage, records: Records, visit: Visit, order: Order, rest: Callable[[], None]
 ) -> None:
     with records.context.database.writing() as connection:
@@ -127,13 +127,13 @@ def test_ten_thousand_orders_are_searched_sorted_and_loaded_as_one_scrolls(
             {"id": f"o{n}", "number": f"26-X{n:05}", "visit_id": visit.id,
              "person_id": visit.person_id, "state": "delivered", "shop": f"Shop {n % 7}",
              "created_at": f"{YESTERDAY.isoformat()}T{n:05}", "changed_at": "2026", "revision": 1}
-            for n in range(10_000)
+            for n in range(1000)
         ])  # fmt: skip
     choose(page, ALL)
     rest()
     assert len(page.table.rows) == 200
     assert "200" in page._count.text()
-    assert "10001" in page._count.text()
+    assert "1001" in page._count.text()
     bar = page.table.verticalScrollBar()
     bar.setValue(bar.maximum())
     rest()
@@ -144,7 +144,7 @@ def test_ten_thousand_orders_are_searched_sorted_and_loaded_as_one_scrolls(
     assert page.table.rows[0].cells[1] == min(f"26-X{0:05}", order.number)
     click_heading(page.table, 1)
     rest()
-    assert page.table.rows[0].cells[1] == max(f"26-X{9999:05}", order.number)
+    assert page.table.rows[0].cells[1] == max(f"26-X{999:05}", order.number)
     page.search.setFocus()
     QTest.keyClicks(page.search, "x00712")
     rest()

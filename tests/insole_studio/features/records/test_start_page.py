@@ -225,14 +225,14 @@ def test_further_patients_are_a_click_away(
     assert not page.more.isVisible()
 
 
-def test_ten_thousand_patients_are_sorted_where_they_are_and_loaded_as_one_scrolls(
+def test_a_thousand_patients_are_sorted_where_they_are_and_loaded_as_one_scrolls(
     clinic: Application, records: Records, rest: Callable[[], None], qtbot: QtBot
 ) -> None:
     born = date(1950, 1, 1)
-    many = [Person(f"P{n:05}", born + timedelta(days=7 * n % 9999)) for n in range(10_000)]
+    many = [Person(f"P{n:05}", born + timedelta(days=7 * n % 9999)) for n in range(1000)]
     with records.context.writing(Right.WRITE) as connection:
         add_persons(records.context, connection, many)
-    oldest = records.visits.add(Visit(many[4321].id, date.today() - timedelta(days=400)))
+    oldest = records.visits.add(Visit(many[432].id, date.today() - timedelta(days=400)))
     records.visits.add(Visit(many[17].id, date.today()))
     page = page_of(clinic)
     rest()
@@ -242,7 +242,7 @@ def test_ten_thousand_patients_are_sorted_where_they_are_and_loaded_as_one_scrol
         rest()
 
     click(3)
-    assert [row.cells[0] for row in page.found.rows[:3]] == ["P04321", "P00017", "P00000"]
+    assert [row.cells[0] for row in page.found.rows[:3]] == ["P00432", "P00017", "P00000"]
     assert page.found.rows[0].cells[3] == oldest.visited_on.isoformat()
     click(1)
     days = [row.cells[1] for row in page.found.rows]
