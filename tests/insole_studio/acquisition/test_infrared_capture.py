@@ -163,7 +163,8 @@ def taken(
     ("further", "brightness", "told"),
     [
         (0, 300, ""),
-        (3, 300, "Something moved between depth and infrared of view left, so its infrared"),
+        (1, 300, ""),
+        (2, 300, "Something moved between depth and infrared of view left, so its infrared"),
         (0, 5, "View left: its infrared pictures are black; see that the emitter is on. The"),
         (0, 1023, "View left: its infrared pictures are saturated; lower their brightness"),
     ],
@@ -180,7 +181,7 @@ def test_movement_and_pictures_without_dots_are_told(
 
 
 def test_how_far_depth_moved_before_the_pictures_is_known() -> None:
-    """Of a part of the picture, the edges of which flicker."""
+    """Of a foot, a twentieth of the picture, beside which a stripe flickers."""
     still = depth_frames(0)
     rows, columns = slice(200, 280), slice(300, 500)
 
@@ -192,7 +193,9 @@ def test_how_far_depth_moved_before_the_pictures_is_known() -> None:
         return frames
 
     picture = np.full((480, 640), 300, np.uint16)
-    assert [taken(still, after(further), picture).moved_raw for further in (0, 1)] == [0, 1]
+    series = [taken(still, after(further), picture) for further in (0, 1, 2)]
+    assert [one.moved_raw for one in series] == [0, 1, 2]
+    assert [bool(one.check()) for one in series] == [False, False, True]
 
 
 def test_an_emulated_session_delivers_its_infrared_bit_for_bit(
