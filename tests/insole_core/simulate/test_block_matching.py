@@ -20,6 +20,7 @@ from insole_core.simulate.scene import SceneCaster
 
 DISTANCE_MM = 750.0
 CENTRE = (slice(200, 280), slice(290, 350))
+SMALL = SimulationOptions(frames=1, color_size=(640, 480), foot_cell_mm=6.0)
 
 
 @pytest.fixture(scope="module")
@@ -158,7 +159,7 @@ def test_rows_of_a_pattern_are_those_of_the_whole() -> None:
 @pytest.mark.slow
 def test_an_ideal_session_shows_the_same_foot() -> None:
     """Same seed, same foot and poses; only the depth is made otherwise."""
-    usual = SimulationOptions(seed=4, frames=1, color_size=(640, 480), foot_cell_mm=6.0)
+    usual = replace(SMALL, seed=4, distance_mm=900.0)
     matched, ideal = simulate_session(usual), simulate_session(replace(usual, ideal=True))
 
     np.testing.assert_array_equal(ideal.truth.vertices, matched.truth.vertices)
