@@ -42,7 +42,7 @@ def simulate_view(
     low, high = thing.bounds_mm
     middle = np.append((low + high)[:2] / 2, high[2] / 2)
     caster = SceneCaster(joined([_colored(thing), _table(middle)]))
-    device = make_device(f"SIM{seed:05d}7", (), distance_mm, (1280, 1024), rng)
+    device = make_device(f"SIM{seed:05d}7", (), distance_mm, (640, 480), rng)
     tilt = rotation_about(np.array([1.0, 0.0, 0.0]), float(rng.uniform(-_TILT_DEG, _TILT_DEG)))
     above = middle + distance_mm * tilt[:, 2]
     pose = look_at(above, middle, np.array([0.0, -1.0, 0.0]))
