@@ -7,9 +7,10 @@ A foot of each set is captured again under every disturbance of
 patterns and figures are kept in ``benchmarks/results/infrared`` and are not made twice, figures
 while the reconstruction is the same.
 
-``FEET`` is the number of feet (20), ``ONLY`` a comma-separated choice of conditions. Sole and
-tendon: mean and 95 % of the distance after a rigid best fit (shape), mean in place, share of the
-sole within 1.5 mm, mm.
+``FEET`` is the number of feet (20), ``ONLY`` a comma-separated choice of conditions, each then on
+all feet. Sole and tendon: mean and 95 % of the distance after a rigid best fit (shape), mean in
+place, share of the sole within 1.5 mm, mm. Of each view: on which share of the foot bright light or
+noise was found, and how many views were told for it.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import os
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import trimesh
@@ -35,7 +37,7 @@ from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.reconstruct import reconstruct
+from insole_core.reconstruct import Reconstruction, reconstruct
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import DotPictures, Session, View
 from insole_core.recording.writer import write_session
@@ -64,6 +66,7 @@ _SOURCES = (
     ("dupontgu/right_foot.stl", Side.RIGHT, (0.94, 0.97, 1.08), True),
     ("focus_template/template.obj", Side.LEFT, (1.05, 0.96, 1.0), False),
 )
+_DOUBTS = ("because bright light outshines", "because noise covers")
 _PRODUCT = ("calibration/infrared", "reconstruct", "sensing")
 
 
@@ -87,46 +90,78 @@ class Captured:
         return KEPT / f"foot_{self.number:02d}{self.disturbance and '_' + self.disturbance}"
 
 
+class Doubts(NamedTuple):
+    """Shares of the foot on which the pictures of its views count less, and the views told."""
+
+    bright: list[float]
+    noisy: list[float]
+    told: int
+
+
+class Compared(NamedTuple):
+    """Figures of a foot by chip and by infrared, and how far its pictures were trusted."""
+
+    chip: dict[str, float]
+    infrared: dict[str, float]
+    doubts: Doubts
+
+
 def main() -> None:
     KEPT.mkdir(parents=True, exist_ok=True)
-    rows: dict[str, list[tuple[dict[str, float], dict[str, float]]]] = {}
+    rows: dict[str, list[Compared]] = {}
     for captured in _captured():
         rows.setdefault(captured.condition, []).append(compared(captured))
         print(".", end="", flush=True)
     print()
-    head = ["mm, chip → infrared", "feet", *next(iter(rows.values()))[0][0], "worst foot by"]
-    print_table(head, [_row(name, pairs) for name, pairs in rows.items()])
+    head = ["mm, chip → infrared", "feet", *next(iter(rows.values()))[0].chip, "worst foot by"]
+    print_table(head, [_row(name, feet) for name, feet in rows.items()])
+    print_table(
+        ["pictures", "views", "bright", "noisy", "views told"],
+        [_doubts_row(name, [foot.doubts for foot in feet]) for name, feet in rows.items()],
+    )
 
 
 def _captured() -> Iterator[Captured]:
     wanted = set(ONLY.split(",")) if ONLY else {*_LEARNT_FROM, *DISTURBANCES, _OFF}
     for condition in (*_LEARNT_FROM, *DISTURBANCES, _OFF):
-        some = FEET if condition == "12 walls" else min(FEET, len(_SETS))
+        some = FEET if ONLY or condition == "12 walls" else min(FEET, len(_SETS))
         yield from (Captured(number, condition) for number in range(some) if condition in wanted)
 
 
-def _row(name: str, pairs: list[tuple[dict[str, float], dict[str, float]]]) -> list[str]:
+def _row(name: str, feet: list[Compared]) -> list[str]:
     means = [
-        " → ".join(f"{np.mean([of[key] for of in side]):.3f}" for side in zip(*pairs, strict=True))
-        for key in pairs[0][0]
+        f"{np.mean([foot.chip[key] for foot in feet]):.3f} → "
+        f"{np.mean([foot.infrared[key] for foot in feet]):.3f}"
+        for key in feet[0].chip
     ]
-    worse = max(infrared["shape"] - chip["shape"] for chip, infrared in pairs)
-    return [name, str(len(pairs)), *means, f"{worse:+.3f}"]
+    worse = max(foot.infrared["shape"] - foot.chip["shape"] for foot in feet)
+    return [name, str(len(feet)), *means, f"{worse:+.3f}"]
 
 
-def compared(captured: Captured) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the figures by chip and by infrared."""
+def _doubts_row(name: str, feet: list[Doubts]) -> list[str]:
+    bright = [share for foot in feet for share in foot.bright]
+    noisy = [share for foot in feet for share in foot.noisy]
+    ranges = (f"{min(shares):.2f} – {max(shares):.2f}" for shares in (bright, noisy))
+    return [name, str(len(bright)), *ranges, str(sum(foot.told for foot in feet))]
+
+
+def compared(captured: Captured) -> Compared:
+    """Reconstruct a foot by chip and by infrared."""
     kept = KEPT / "figures" / f"{captured.number:02d}_{captured.condition}_{_product()}.json"
     if not kept.exists():
-        session = _session(captured)
+        session = with_patterns(_session(captured), captured)
         truth = trimesh.load(captured.folder / "truth.ply", process=False, force="mesh")
-        found = [
-            figures(reconstruct(with_patterns(session, captured), depth=depth).mesh, truth)
-            for depth in ("chip", "infrared")
-        ]
-        _keep(kept, json.dumps(found))
-    chip, infrared = json.loads(kept.read_text())
-    return chip, infrared
+        chip, infrared = (reconstruct(session, depth=depth) for depth in ("chip", "infrared"))
+        found = [figures(made.mesh, truth) for made in (chip, infrared)]
+        _keep(kept, json.dumps([*found, _doubts(infrared)]))
+    by_chip, by_infrared, doubts = json.loads(kept.read_text())
+    return Compared(by_chip, by_infrared, Doubts(*doubts))
+
+
+def _doubts(made: Reconstruction) -> Doubts:
+    uses = made.infrared.values()
+    told = [one for one in made.warnings if any(reason in one for reason in _DOUBTS)]
+    return Doubts([use.bright for use in uses], [use.noisy for use in uses], len(told))
 
 
 def _product() -> str:
