@@ -199,7 +199,7 @@ def test_a_correction_is_live_kept_and_undone(opened: Bench) -> None:
     assert opened.presenter.edits == NO_EDITS
 
 
-def test_a_marker_is_dragged_and_left_to_the_search_again(opened: Bench) -> None:
+def test_a_marker_is_dragged_and_left_to_the_search_and_two_are_exchanged(opened: Bench) -> None:
     before, (u, v) = opened.poses()["left"], opened.panel.marks["S6"].pixel
     for step in (5.0, 10.0):
         opened.panel.marker_moved.emit("S6", (u + step, v))
@@ -212,8 +212,6 @@ def test_a_marker_is_dragged_and_left_to_the_search_again(opened: Bench) -> None
     opened.panel.marker_released.emit("S6")
     np.testing.assert_array_equal(opened.poses()["left"], before)
 
-
-def test_two_markers_are_exchanged_and_put_back(opened: Bench) -> None:
     before, marks = opened.poses()["left"], opened.panel.marks
     for marker, other in (("S2", "S9"), ("S9", "S2")):
         opened.panel.marker_named.emit(marker, marks[other].pixel, False)
@@ -268,14 +266,6 @@ def test_going_on_with_corrections_makes_the_foot_first(made: Bench) -> None:
 
 
 @pytest.mark.slow
-def test_the_design_is_handed_a_foot_that_it_can_show_at_once(made: Bench) -> None:
-    made.panel.go_on_requested.emit()
-    (handed,) = made.handed
-    assert handed.foot.derived.known("landmarks", ()) is not None
-    assert known_display(handed.foot) is not None
-
-
-@pytest.mark.slow
 def test_a_foot_that_is_made_does_not_answer_for_a_session_opened_meanwhile(
     bench: Bench, tmp_path: Path
 ) -> None:
@@ -290,15 +280,7 @@ def test_a_foot_that_is_made_does_not_answer_for_a_session_opened_meanwhile(
     assert [Path(handed.source.path).name for handed in bench.handed] == ["other.zip"]
 
 
-def test_cancel_answers_at_once(opened: Bench) -> None:
-    opened.panel.make_requested.emit()
-    opened.panel.cancel_requested.emit()
-    assert not opened.jobs.is_running()
-    assert opened.panel.shown["show_progress"] == (0.0, "")
-    assert opened.panel.buttons.make
-
-
-def test_the_volume_is_changed_and_reset(opened: Bench) -> None:
+def test_the_volume_is_changed_and_reset_and_cancel_answers_at_once(opened: Bench) -> None:
     recorded = opened.presenter.box
     for y in (-80.0, -60.0):
         opened.panel.box_edited.emit(Box((-70, y, -40), (70, 150, 160)))
@@ -311,8 +293,17 @@ def test_the_volume_is_changed_and_reset(opened: Bench) -> None:
     opened.panel.box_reset.emit()
     assert opened.presenter.box == recorded
 
+    opened.panel.make_requested.emit()
+    opened.panel.cancel_requested.emit()
+    assert not opened.jobs.is_running()
+    assert opened.panel.shown["show_progress"] == (0.0, "")
+    assert opened.panel.buttons.make
 
-def test_every_map_has_a_value_for_every_vertex(made: Bench) -> None:
+
+def test_every_map_has_a_value_for_every_vertex_and_the_foot_is_handed_on_as_measured(
+    made: Bench,
+) -> None:
+    """What was filled for display is marked; the design can show the foot at once."""
     for kind in FootMap:
         made.panel.map_chosen.emit(kind)
         mesh, coloring = made.panel.feet[-1]
@@ -328,20 +319,6 @@ def test_every_map_has_a_value_for_every_vertex(made: Bench) -> None:
     assert 0 < np.nanmedian(spread.values) < 3
     assert np.isnan(spread.values).any()
 
-
-def test_the_map_of_deviations_says_how_much_infrared_decides() -> None:
-    def title(share: float) -> str:
-        made = SimpleNamespace(deviation_mm=np.array([0.2, 0.9]), infrared_share=share)
-        coloring = color_foot(FootMap.CONFIDENCE, cast("Any", SimpleNamespace(reconstruction=made)))
-        assert coloring is not None
-        assert coloring.values.tolist() == [0.2, 0.9]
-        return coloring.title
-
-    assert title(0.0) == "Standard deviation"
-    assert title(0.913) == "Standard deviation, 91% by infrared"
-
-
-def test_what_was_filled_for_display_is_marked_as_not_measured(made: Bench) -> None:
     made.panel.map_chosen.emit(FootMap.SKIN)
     skin, coloring = made.panel.feet[-1]
     assert coloring is None
@@ -357,6 +334,20 @@ def test_what_was_filled_for_display_is_marked_as_not_measured(made: Bench) -> N
     made.panel.go_on_requested.emit()
     (handed,) = made.handed
     assert len(handed.foot.mesh.triangles) != len(skin.triangles)  # it is handed on as measured
+    assert handed.foot.derived.known("landmarks", ()) is not None
+    assert known_display(handed.foot) is not None
+
+
+def test_the_map_of_deviations_says_how_much_infrared_decides() -> None:
+    def title(share: float) -> str:
+        made = SimpleNamespace(deviation_mm=np.array([0.2, 0.9]), infrared_share=share)
+        coloring = color_foot(FootMap.CONFIDENCE, cast("Any", SimpleNamespace(reconstruction=made)))
+        assert coloring is not None
+        assert coloring.values.tolist() == [0.2, 0.9]
+        return coloring.title
+
+    assert title(0.0) == "Standard deviation"
+    assert title(0.913) == "Standard deviation, 91% by infrared"
 
 
 def test_a_limit_refuses_a_view_and_names_its_markers(opened: Bench) -> None:

@@ -141,12 +141,23 @@ def test_a_foot_made_again_keeps_its_design(
 
 
 @pytest.mark.slow
-def test_a_click_excludes_and_includes(stage: FootStage, qtbot: QtBot) -> None:
+def test_keys_and_clicks_exclude_and_include(stage: FootStage, session: Path, qtbot: QtBot) -> None:
+    """Keys go from mark to mark; corrections are there when the session is opened again."""
+    picture = stage.view.markers.picture
+    picture.setFocus()
+    for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Space):
+        QTest.keyClick(picture, key)
+    assert [m.id for m in picture._marks if m.state == "excluded"] == ["S2"]
+    QTest.keyClick(picture, Qt.Key.Key_Return)
+    choose(stage, "Include S2")
+    assert mark(stage, "S2").state == "used"
+
     at = mark(stage, "S3").pixel
     click(stage, at)
     choose(stage, "Exclude S3")
     assert mark(stage, "S3").state == "excluded"
     assert cell(stage, 0, "Markers") == "11 / 12"
+    assert read_session(session).edits.of("left").excluded == ("S3",)
     click(stage, at)
     choose(stage, "Include S3")
     assert mark(stage, "S3").state == "used"
@@ -158,31 +169,8 @@ def test_a_click_excludes_and_includes(stage: FootStage, qtbot: QtBot) -> None:
 
 
 @pytest.mark.slow
-def test_keys_go_from_mark_to_mark(stage: FootStage) -> None:
+def test_a_spot_is_another_marker_a_place_is_one_and_one_is_dragged(stage: FootStage) -> None:
     picture = stage.view.markers.picture
-    picture.setFocus()
-    for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Space):
-        QTest.keyClick(picture, key)
-    assert [m.id for m in picture._marks if m.state == "excluded"] == ["S2"]
-    QTest.keyClick(picture, Qt.Key.Key_Return)
-    choose(stage, "Include S2")
-    assert mark(stage, "S2").state == "used"
-
-
-@pytest.mark.slow
-def test_a_marker_is_dragged(stage: FootStage) -> None:
-    picture = stage.view.markers.picture
-    start = picture.to_widget(mark(stage, "S6").pixel)
-    drag(stage, start, start + QPointF(8, 0), start + QPointF(16, 4))
-    moved = mark(stage, "S6")
-    assert moved.by_hand
-    expected = picture.to_pixel((start + QPointF(16, 4)).toPoint().toPointF())
-    assert moved.pixel == pytest.approx(expected)
-    assert stage.presenter.edits.of("left").named[0].exact
-
-
-@pytest.mark.slow
-def test_a_spot_is_another_marker_and_a_place_is_one(stage: FootStage) -> None:
     click(stage, mark(stage, "S2").pixel)
     choose(stage, "This is", "S9")
     assert stage.presenter.edits.of("left").named[0].id == "S9"
@@ -190,9 +178,28 @@ def test_a_spot_is_another_marker_and_a_place_is_one(stage: FootStage) -> None:
     choose(stage, "Add a marker here", "S2")
     assert mark(stage, "S2").pixel == pytest.approx((300.0, 200.0), abs=2)
 
+    start = picture.to_widget(mark(stage, "S6").pixel)
+    drag(stage, start, start + QPointF(8, 0), start + QPointF(16, 4))
+    moved = mark(stage, "S6")
+    assert moved.by_hand
+    expected = picture.to_pixel((start + QPointF(16, 4)).toPoint().toPointF())
+    assert moved.pixel == pytest.approx(expected)
+    (named,) = (each for each in stage.presenter.edits.of("left").named if each.id == "S6")
+    assert named.exact
 
-def test_a_region_is_drawn(stage: FootStage) -> None:
+
+def test_a_double_click_zooms_a_region_is_drawn_and_a_tick_leaves_a_view_out(
+    stage: FootStage,
+) -> None:
     picture = stage.view.markers.picture
+    fitted = picture._zoom
+    assert fitted > 1
+    QTest.mouseDClick(picture, LEFT, pos=QPoint(5, 5))
+    assert picture._zoom == 1
+    QTest.mouseDClick(picture, LEFT, pos=QPoint(5, 5))
+    assert picture._zoom == fitted
+    stage.view.markers.menu.close()
+
     at = picture.to_widget(mark(stage, "S4").pixel)
     corners = [at + QPointF(*by) for by in ((-12, -12), (12, -12), (12, 12), (-12, 12))]
     stage.view.markers.ignore.click()
@@ -205,8 +212,6 @@ def test_a_region_is_drawn(stage: FootStage) -> None:
     stage.view.markers.ignore.click()
     assert not stage.view.markers.search.isChecked()
 
-
-def test_a_tick_leaves_a_view_out(stage: FootStage) -> None:
     item = stage.view.table.item(1, 0)
     assert item is not None
     item.setCheckState(Qt.CheckState.Unchecked)
@@ -217,21 +222,19 @@ def test_a_tick_leaves_a_view_out(stage: FootStage) -> None:
 
 
 @pytest.mark.slow
-def test_the_wheel_zooms_and_a_double_click_shows_the_whole(stage: FootStage) -> None:
-    picture = stage.view.markers.picture
-    fitted = picture._zoom
-    assert fitted > 1
-    QTest.mouseDClick(picture, LEFT, pos=QPoint(5, 5))
-    assert picture._zoom == 1
-    QTest.mouseDClick(picture, LEFT, pos=QPoint(5, 5))
-    assert picture._zoom == fitted
-    stage.view.markers.menu.close()
-
-
-@pytest.mark.slow
-def test_the_box_is_dragged_by_a_face(stage: FootStage) -> None:
+def test_the_box_is_bounded_by_its_faces_and_by_numbers(stage: FootStage) -> None:
+    """Escape gives a drag up."""
     scene, before = stage.view.foot.scene, stage.presenter.box
     assert before is not None
+    handle = next(h for h in scene.handles if h.name == "box-x-max")
+    start = QPoint(*(round(x) for x in scene.look.pixels_of(np.array(handle.position_mm))[0]))
+    QTest.mousePress(scene.surface, LEFT, pos=start)
+    QTest.mouseMove(scene.surface, start + QPoint(9, 0))
+    QTest.keyClick(scene.surface, Qt.Key.Key_Escape)
+    QTest.mouseRelease(scene.surface, LEFT, pos=start + QPoint(9, 0))
+    assert stage.presenter.box == before
+    assert next(h for h in scene.handles if h.name == "box-x-max") == handle
+
     handle = next(h for h in scene.handles if h.name == "box-y-min")
     start = QPoint(*(round(x) for x in scene.look.pixels_of(np.array(handle.position_mm))[0]))
     mm = scene.look.mm_per_px
@@ -248,36 +251,12 @@ def test_the_box_is_dragged_by_a_face(stage: FootStage) -> None:
     stage.view.box.reset.click()
     assert stage.presenter.box == before
 
-
-@pytest.mark.slow
-def test_escape_gives_a_drag_of_the_box_up(stage: FootStage) -> None:
-    scene, before = stage.view.foot.scene, stage.presenter.box
-    handle = next(h for h in scene.handles if h.name == "box-x-max")
-    start = QPoint(*(round(x) for x in scene.look.pixels_of(np.array(handle.position_mm))[0]))
-    QTest.mousePress(scene.surface, LEFT, pos=start)
-    QTest.mouseMove(scene.surface, start + QPoint(9, 0))
-    QTest.keyClick(scene.surface, Qt.Key.Key_Escape)
-    QTest.mouseRelease(scene.surface, LEFT, pos=start + QPoint(9, 0))
-    assert stage.presenter.box == before
-    assert next(h for h in scene.handles if h.name == "box-x-max") == handle
-
-
-def test_a_number_bounds_the_box(stage: FootStage) -> None:
     low, _ = stage.view.box._fields[2]
     low.setValue(10.0)
     assert stage.presenter.box is not None
     assert stage.presenter.box.min_mm[2] == 10.0
     stage.view.box.show_box(Box((0, 0, 0), (1, 1, 1)))
     assert stage.view.box.box().max_mm == (20.0, 20.0, 20.0)
-
-
-@pytest.mark.slow
-def test_corrections_are_there_when_the_session_is_opened_again(
-    stage: FootStage, session: Path
-) -> None:
-    click(stage, mark(stage, "S3").pixel)
-    choose(stage, "Exclude S3")
-    assert read_session(session).edits.of("left").excluded == ("S3",)
 
 
 def test_a_damaged_session_closes_the_stage(
