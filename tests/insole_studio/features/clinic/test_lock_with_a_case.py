@@ -82,8 +82,8 @@ def newest(records: Records, app: Application) -> tuple[str, float]:
     return version.author, records.prescriptions.read(version.id).design.thickness_mm
 
 
-def test_what_was_just_changed_is_saved_while_the_window_is_locked(
-    opened: Application, eva: Records, qtbot: QtBot
+def test_what_was_just_changed_is_saved_while_locked_and_the_next_user_goes_on_with_it(
+    opened: Application, tom: Records, eva: Records, qtbot: QtBot
 ) -> None:
     thicken(opened, 4.5)
     record = opened.case.record
@@ -96,16 +96,12 @@ def test_what_was_just_changed_is_saved_while_the_window_is_locked(
     assert "Anna" in opened.window.windowTitle()
     qtbot.waitUntil(lambda: opened.services.keeper.state is KeepState.SAVED)
 
-
-def test_another_user_goes_on_with_the_case_once_the_work_before_is_saved(
-    opened: Application, tom: Records, eva: Records, qtbot: QtBot
-) -> None:
-    thicken(opened, 4.5)
+    thicken(opened, 5.0)
     opened.window.actions_by_key["lock"].trigger()
     take_over(opened, qtbot, "tom", TOMS_PASSWORD)
-    assert newest(eva, opened) == ("eva", 4.5)
-    thicken(opened, 5.0)
-    qtbot.waitUntil(lambda: newest(eva, opened) == ("tom", 5.0))
+    assert newest(eva, opened) == ("eva", 5.0)
+    thicken(opened, 5.5)
+    qtbot.waitUntil(lambda: newest(eva, opened) == ("tom", 5.5))
 
 
 def test_an_administrator_who_takes_over_finds_no_case(
@@ -121,17 +117,6 @@ def test_an_administrator_who_takes_over_finds_no_case(
     assert "Anna" not in opened.window.windowTitle()
     (version,) = eva.prescriptions.versions(visit_id, Side.LEFT)[:1]
     assert eva.prescriptions.read(version.id).design.thickness_mm == 4.5
-
-
-def test_another_user_may_take_over_while_a_case_of_a_file_is_unsaved(
-    opened: Application, tom: Records, qtbot: QtBot
-) -> None:
-    opened.controller.run_action("new_case", False)
-    qtbot.waitUntil(lambda: opened.case.kept is None)
-    opened.case.apply(Patient("Bo Ek"), "Edit")
-    opened.window.actions_by_key["lock"].trigger()
-    take_over(opened, qtbot, "tom", TOMS_PASSWORD)
-    assert opened.case.record.patient.name == "Bo Ek"
 
 
 def test_a_conflict_that_comes_up_as_another_user_signs_in_keeps_nobody_out(
@@ -150,12 +135,16 @@ def test_a_conflict_that_comes_up_as_another_user_signs_in_keeps_nobody_out(
     assert opened.services.keeper.state is KeepState.CONFLICT
 
 
-def test_an_administrator_sees_no_file_no_window_and_no_notice_of_a_patient_and_nothing_is_lost(
-    opened: Application, small_session: Path, qtbot: QtBot, rest: Callable[[], None]
+def test_of_an_unsaved_file_another_user_sees_all_an_administrator_nothing_and_nothing_is_lost(
+    opened: Application, tom: Records, small_session: Path, qtbot: QtBot, rest: Callable[[], None]
 ) -> None:
     opened.controller.run_action("new_case", False)
     qtbot.waitUntil(lambda: opened.case.kept is None)
     opened.case.apply(Patient("Bo Ek"), "Edit")
+    opened.window.actions_by_key["lock"].trigger()
+    take_over(opened, qtbot, "tom", TOMS_PASSWORD)
+    assert opened.case.record.patient.name == "Bo Ek"
+
     opened.features.foot.open_session(small_session, hand_over=False)
     opened.services.notices.put("handed", "Bo Ek: stored.", stays=True)
     opened.window.actions_by_key["lock"].trigger()

@@ -6,8 +6,10 @@ import re
 from collections.abc import Callable
 from datetime import date, timedelta
 from pathlib import Path
+from typing import Any
 
 import manifold3d
+import pytest
 from PySide6.QtWidgets import QApplication
 from read_pdf import text_of_pdf
 
@@ -33,6 +35,7 @@ from insole_core.insole.prescription.device import apply_device, read_device
 from insole_core.insole.prescription.layers import Layers
 from insole_core.messages import Message
 from insole_core.milling.machine import read_machine
+from insole_core.milling.plan import MillingPlan, plan_milling
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.signing import sign
@@ -43,6 +46,7 @@ from insole_core.solids.export_rules import read_rules
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import Block, read_shop
 from insole_core.solids.simplification import from_manifold
+from insole_core.workflows import nest_orders
 from insole_core.workflows.compare_case import compare_sources, write_comparison
 from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
 from insole_core.workflows.mill import MillingChoice
@@ -121,9 +125,17 @@ def test_papers_in_swedish_hold_no_word_of_the_english_ones(
 
 
 def test_papers_of_the_router_in_swedish_hold_no_word_of_the_english_ones(
-    qapp: QApplication, tmp_path: Path
+    qapp: QApplication, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The sheet of a nest, and the set-up sheet of a block that is turned."""
+    plans: list[MillingPlan] = []
+
+    def plan_once(*given: Any, **named: Any) -> MillingPlan:
+        if not plans:  # the paths are the same in each language
+            plans.append(plan_milling(*given, **named))
+        return plans[0]
+
+    monkeypatch.setattr(nest_orders, "plan_milling", plan_once)
     corners = [(0, 0), (40, 0), (40, 50), (20, 70), (0, 60)]
     solid = from_manifold(manifold3d.CrossSection([corners]).extrude(9.0))
     pieces = [OrderedPiece("26-7", side, solid, "EVA, Shore A 35") for side in Side]
