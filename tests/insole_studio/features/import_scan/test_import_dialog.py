@@ -51,7 +51,7 @@ def box(right_foot: TriangleMesh) -> TriangleMesh:
         foot.transformed(pressing(28.0, (x_mm, 0.0)))
         for foot, x_mm in ((left_foot, -80.0), (right_foot, 80.0))
     ]
-    return press_feet(pressed, FoamBox(DOUBLE_MM), np.random.default_rng(1))
+    return press_feet(pressed, FoamBox(DOUBLE_MM, cell_mm=2.0), np.random.default_rng(1))
 
 
 @pytest.fixture
