@@ -147,7 +147,7 @@ def files() -> dict[Path, Read]:
 def read(path: Path, is_prose: bool) -> Read:
     tree = ast.parse(path.read_text("utf-8"))
     nodes = list(ast.walk(tree))
-    texts = texts_of(tree) if is_prose else ()
+    texts = texts_of(nodes) if is_prose else ()
     return Read(
         tuple((node.name, bases(node)) for node in nodes if isinstance(node, ast.ClassDef)),
         tuple(calls_in(path, nodes)),
@@ -222,26 +222,26 @@ def is_finished(node: ast.expr) -> bool:
     )
 
 
-def texts_of(tree: ast.Module) -> Iterator[ast.Constant | ast.JoinedStr]:
+def texts_of(nodes: list[ast.AST]) -> Iterator[ast.Constant | ast.JoinedStr]:
     """Find the texts of a file that are no documentation, f-strings as one."""
-    silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    silent |= {id(part) for part in parts_of_f_strings(tree)} | {
-        id(text) for text in told_to_programmers(tree)
+    silent = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    silent |= {id(part) for part in parts_of_f_strings(nodes)} | {
+        id(text) for text in told_to_programmers(nodes)
     }
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Constant | ast.JoinedStr) and id(node) not in silent:
             yield node
 
 
-def parts_of_f_strings(tree: ast.AST) -> Iterator[ast.AST]:
-    for node in ast.walk(tree):
+def parts_of_f_strings(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    for node in nodes:
         if isinstance(node, ast.JoinedStr):
             yield from (part for part in ast.walk(node) if part is not node)
 
 
-def told_to_programmers(tree: ast.AST) -> Iterator[ast.AST]:
+def told_to_programmers(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
     """Find what built-in errors, assertions and the log say, and what looks for words."""
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Assert) and node.msg is not None:
             yield node.msg
         if isinstance(node, ast.Call):

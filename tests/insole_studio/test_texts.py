@@ -6,8 +6,9 @@ import ast
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
-from typing import get_args
+from typing import NamedTuple, get_args
 from xml.etree import ElementTree
 
 import pytest
@@ -55,14 +56,32 @@ SWEDISH = resource_path("translations/sv")
 MANUAL = Path(__file__).parents[2] / "docs" / "manual"
 
 
-def texts_of_the_code() -> Iterator[str]:
+class Code(NamedTuple):
+    """What is looked for in the code of the window."""
+
+    texts: set[str]
+    """What it says, by `tr`."""
+    numbers: tuple[str, ...]
+    """Places where the window itself writes a number."""
+
+
+@cache
+def code() -> Code:
+    """Read all files of the window, once."""
     root = Path(insole_studio.__file__).parent
+    texts: set[str] = set()
+    numbers: list[str] = []
     for path in root.rglob("*.py"):
+        below = path.relative_to(root)
+        is_window = not {"cli", "acquisition"} & set(below.parts)
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tr":
                 (text,) = node.args
                 assert isinstance(text, ast.Constant), f"{path}:{node.lineno}"
-                yield str(text.value)
+                texts.add(str(text.value))
+            elif is_window and _formats_a_number(node):
+                numbers.append(f"{below}:{node.lineno}")
+    return Code(texts, tuple(numbers))
 
 
 def translations(pattern: str = "*.ts") -> Iterator[tuple[str, str]]:
@@ -78,7 +97,7 @@ def catalogue() -> dict[str, str]:
 
 
 def test_every_text_has_a_swedish_one() -> None:
-    translated, texts = catalogue(), set(texts_of_the_code())
+    translated, texts = catalogue(), code().texts
     assert len(texts) > 400
     assert [text for text in texts if not translated.get(text)] == []
 
@@ -93,7 +112,7 @@ def test_every_language_has_its_texts_its_manual_and_words_for_its_pictures() ->
 
 def test_no_swedish_text_is_left_of_one_that_nobody_says() -> None:
     of_the_core = dict(translations("core.ts"))
-    assert catalogue().keys() - of_the_core.keys() - set(texts_of_the_code()) == set()
+    assert catalogue().keys() - of_the_core.keys() - code().texts == set()
 
 
 def test_a_text_has_one_translation_whoever_says_it() -> None:
@@ -139,15 +158,7 @@ def test_numbers_are_written_as_the_language_does(qapp: QApplication) -> None:
 
 
 def test_numbers_are_written_by_this_module_only() -> None:
-    root = Path(insole_studio.__file__).parent
-    strays = [
-        f"{path.relative_to(root)}:{node.lineno}"
-        for path in root.rglob("*.py")
-        if not {"cli", "acquisition"} & set(path.relative_to(root).parts)
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if _formats_a_number(node)
-    ]
-    assert strays == []
+    assert code().numbers == ()
 
 
 def _formats_a_number(node: ast.AST) -> bool:
