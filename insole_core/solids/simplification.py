@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import manifold3d
 import numpy as np
-import scipy
 
 from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.sampling import sample_triangles
 
 _ROUNDS = 7
@@ -18,6 +18,7 @@ _FINEST_SHARE = 1 / 64  # of the allowed deviation, where the search starts
 _PITCH_MM = 0.5
 _NEIGHBOURS = (6, 150)  # among slender triangles the nearest samples are not on the nearest one
 _NEAR_MM = 0.01
+_AT_ONCE = 200  # points whose distance is found closely, the farthest first
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,15 +56,16 @@ def simplify(solid: TriangleMesh, most_triangles: int, most_deviation_mm: float)
         return Simplified(solid, 0.0)
     body = to_manifold(solid)
     low, high = most_deviation_mm * _FINEST_SHARE, most_deviation_mm
-    best = _attempt(body, high)
+    fewest = None
     for _ in range(_ROUNDS):
         middle = float(np.sqrt(low * high))
-        attempt = _attempt(body, middle)
-        if len(attempt.triangles) <= most_triangles:
-            best, high = attempt, middle
+        attempt = body.simplify(middle)
+        if attempt.num_tri() <= most_triangles:
+            fewest, high = attempt, middle
         else:
             low = middle
-    deviation = float(distances_to(best, solid.vertices).max())
+    best = from_manifold(fewest or body.simplify(high))
+    deviation = greatest_distance(best, solid.vertices)
     if len(best.triangles) > most_triangles or deviation > most_deviation_mm:
         raise DesignError(
             "{limit} triangles are too few for this solid: {count} deviate by {deviation_mm:.3f} "
@@ -100,12 +102,8 @@ def from_manifold(body: manifold3d.Manifold) -> TriangleMesh:
     )
 
 
-def _attempt(body: manifold3d.Manifold, tolerance_mm: float) -> TriangleMesh:
-    return from_manifold(body.simplify(tolerance_mm))
-
-
-def distances_to(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
-    """Compute the distance of points from a surface.
+def greatest_distance(mesh: TriangleMesh, points: FloatArray) -> float:
+    """Compute the distance of the farthest of some points from a surface.
 
     Parameters
     ----------
@@ -113,19 +111,28 @@ def distances_to(mesh: TriangleMesh, points: FloatArray) -> FloatArray:
 
     Returns
     -------
-    (n,) float64, mm
+    float, mm
         Never smaller than the true distance.
     """
     places, triangle = _covering(mesh)
-    tree = scipy.spatial.KDTree(places)
-    distance = np.full(len(points), np.inf)
-    for neighbours in _NEIGHBOURS:
-        far = np.flatnonzero(distance > _NEAR_MM)
-        _, near = tree.query(points[far], k=neighbours)
-        for candidate in triangle[np.asarray(near)].T:
-            corners = mesh.vertices[mesh.triangles[candidate]]
-            distance[far] = np.minimum(distance[far], _to_triangles(points[far], corners))
-    return distance
+    tree = point_tree(places)
+
+    def to_nearest(which: IntArray, neighbours: int) -> FloatArray:
+        at = points[which]
+        nearest = triangle[tree.query(at, k=neighbours)[1]].T
+        found = (_to_triangles(at, mesh.vertices[mesh.triangles[each]]) for each in nearest)
+        return np.asarray(np.minimum.reduce(list(found)))
+
+    few, many = _NEIGHBOURS
+    most = to_nearest(np.arange(len(points)), few)  # what it is at most
+    greatest = 0.0
+    # Of a point that is at most as far as another one is, it need not be known more closely.
+    for which in np.array_split(np.argsort(-most), np.ceil(len(points) / _AT_ONCE)):
+        if most[which[0]] <= max(greatest, _NEAR_MM):
+            return max(greatest, float(most[which[0]]))
+        closer = np.minimum(most[which], to_nearest(which, many))
+        greatest = max(greatest, float(closer.max()))
+    return greatest
 
 
 def _covering(mesh: TriangleMesh) -> tuple[FloatArray, IntArray]:

@@ -17,7 +17,7 @@ from insole_core.insole.build import build_insole
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.solids.marking import mark
 from insole_core.solids.nesting import nest_pair
-from insole_core.solids.simplification import distances_to, simplify, to_manifold
+from insole_core.solids.simplification import greatest_distance, simplify, to_manifold
 from insole_core.solids.solid import insole_solid
 
 
@@ -76,7 +76,21 @@ def test_distance_from_a_known_surface(left):
         np.array([[0.0, 0, 0], [9, 0, 0], [0, 9, 0]]), np.array([[0, 1, 2]], np.int32)
     )
     points = np.array([[1.0, 1, 2], [-3, -4, 0], [12, 0, 4]])
-    assert distances_to(flat, points) == pytest.approx([2, 5, 5])
+    each = [greatest_distance(flat, point[None]) for point in points]
+    assert each == pytest.approx([2, 5, 5])
+    assert greatest_distance(flat, points[:2]) == pytest.approx(5)
+
+
+def test_the_farthest_of_many_points_is_found_beside_those_that_only_seem_far():
+    """In the tip of a needle the nearest samples may lie on another triangle."""
+    corners = np.array([[0.0, 0, 0], [90, 0, 0], [90, 0.1, 0], [0, 0.1, 3], [0, -9, 0]])
+    bent = TriangleMesh(corners, np.array([[0, 1, 2], [0, 2, 3], [0, 4, 1]], np.int32))
+    rng = np.random.default_rng(1)
+    points = np.stack([*rng.uniform([[0], [0]], [[90], [0.1]], (2, 900)), np.zeros(900)], axis=1)
+    each = [greatest_distance(bent, point[None]) for point in points[:40]]
+    assert greatest_distance(bent, points[:40]) <= max(each) + 1e-12
+    points[700, 2] = -0.5  # below all of it
+    assert greatest_distance(bent, points) == pytest.approx(0.5, abs=1e-9)
 
 
 @pytest.mark.parametrize("relief", ["engraved", "raised"])
