@@ -1,6 +1,6 @@
 """Windows that work on one visit until they are killed, and what they said was kept.
 
-``python killed_windows.py KILLS`` tries so many kills while the server goes and comes; see the
+``python killed_windows.py KILLS SEED`` tries so many kills while the server goes and comes; see the
 benchmark `autosave_kills`. The windows are forked from a process that has none yet.
 """
 
@@ -329,6 +329,6 @@ def _disturb(site: Site, counts: Counter[str]) -> None:
 
 
 if __name__ == "__main__":
-    happened = main(int(sys.argv[1]), "1")
+    happened = main(int(sys.argv[1]), sys.argv[2])
     print(dict(happened))
     sys.exit(any(happened[fault] for fault in FAULTS))
