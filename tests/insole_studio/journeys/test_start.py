@@ -24,7 +24,10 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.resources import resource_path
 from insole_studio.app.bootstrap import Application, build_application
+from insole_studio.document.autosave import Autosave
+from insole_studio.document.case import Case
 from insole_studio.document.journal import find_recovered
+from insole_studio.jobs import Jobs
 from insole_studio.services.questions import Answer
 from tests.patience import PATIENCE_S
 
@@ -37,11 +40,10 @@ KILLED = """
     from insole_studio.app.bootstrap import build_application, qt_application
     from insole_studio.user_paths import UserPaths
 
-    settings, autosave, name, *case = sys.argv[1:]
+    settings, autosave, name, case = sys.argv[1:]
     app = build_application(qt_application(), UserPaths(Path(settings), Path(autosave)))
     app.window.show()
-    if case:
-        app.case.open(read_case(Path(case[0])), Path(case[0]))
+    app.case.open(read_case(Path(case)), Path(case))
     app.case.apply(Patient(name=name), "Edit")
     app.autosave.kept_changed.connect(
         lambda: os.kill(os.getpid(), signal.SIGKILL) if app.autosave.is_kept else None
@@ -54,15 +56,30 @@ KILLED = """
 def kill_with(app: Application) -> Callable[..., None]:
     """Start the program, edit a case in it, and kill it while it runs."""
 
-    def run(name: str, case: Path | None = None) -> None:
+    def run(name: str, case: Path) -> None:
         paths = app.services.paths
-        arguments = [str(paths.settings_file), str(paths.autosave_folder), name]
-        arguments += [] if case is None else [str(case)]
+        arguments = [str(paths.settings_file), str(paths.autosave_folder), name, str(case)]
         call = [sys.executable, "-c", textwrap.dedent(KILLED), *arguments]
         died = subprocess.run(call, timeout=PATIENCE_S, check=False, capture_output=True)
         assert died.returncode == -signal.SIGKILL, died.stderr.decode()
 
     return run
+
+
+@pytest.fixture
+def leave_with(app: Application) -> Callable[..., None]:
+    """Leave what a window that ends unasked leaves of a case that was edited in it."""
+
+    def leave(name: str, path: Path | None = None) -> None:
+        jobs, case = Jobs(), Case()
+        left = Autosave(case, jobs, app.services.paths.autosave_folder)
+        if path is not None:
+            case.open(read_case(path), path)
+        case.apply(Patient(name=name), "Edit")
+        jobs.close()
+        left.close()
+
+    return leave
 
 
 @pytest.fixture
@@ -121,15 +138,14 @@ def test_what_a_killed_program_left_is_told_and_can_be_saved(
     assert find_recovered(app.services.paths.autosave_folder) == []
 
 
-@pytest.mark.slow
-def test_what_a_killed_program_left_can_be_discarded(
+def test_what_a_program_that_ended_left_can_be_discarded(
     app: Application,
-    kill_with: Callable[..., None],
+    leave_with: Callable[..., None],
     saved: Path,
     settle: Callable[[], None],
     questions,
 ) -> None:
-    kill_with("Anna Ek", saved)
+    leave_with("Anna Ek", saved)
     start(app)
     settle()
     questions.unsaved = Answer.CANCEL
@@ -147,12 +163,11 @@ def test_what_a_killed_program_left_can_be_discarded(
     assert find_recovered(app.services.paths.autosave_folder) == []
 
 
-@pytest.mark.slow
-def test_what_several_killed_programs_left_is_offered_one_by_one(
-    app: Application, kill_with: Callable[..., None], settle: Callable[[], None], questions
+def test_what_several_programs_left_is_offered_one_by_one(
+    app: Application, leave_with: Callable[..., None], settle: Callable[[], None], questions
 ) -> None:
-    kill_with("Bo Ek")
-    kill_with("Cia Alm")
+    leave_with("Bo Ek")
+    leave_with("Cia Alm")
     start(app)
     settle()
     last, other = sorted(told(app), key=lambda sentence: "either" in sentence)
