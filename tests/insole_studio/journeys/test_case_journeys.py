@@ -95,17 +95,6 @@ def test_a_sole_alone_becomes_an_insole(
 ) -> None:
     scan = tmp_path / "plantar.obj"
     write_obj(sole_alone(right_foot), scan)
-    _design_and_export(hands, scan, tmp_path)
-
-
-@pytest.mark.shared
-def test_the_scan_of_a_plantar_scanner_becomes_an_insole(
-    hands: Hands, shared_data: Path, tmp_path: Path
-) -> None:
-    _design_and_export(hands, shared_data / "feet" / "plantar_scan.obj", tmp_path)
-
-
-def _design_and_export(hands: Hands, scan: Path, folder: Path) -> None:
     hands.open(scan, Side.RIGHT)
     (notice,) = hands.app.services.notices.notices
     assert "where nothing was measured it is continued" in notice.text
@@ -114,8 +103,8 @@ def _design_and_export(hands: Hands, scan: Path, folder: Path) -> None:
     hands.choose("add_heel_cup")
     hands.type("correction.depth_mm", "14")
     hands.type("insole.thickness_mm", "4")
-    hands.export(folder / "insole.stl")
-    solid = solid_of(folder / "insole-right.stl")
+    hands.export(tmp_path / "insole.stl")
+    solid = solid_of(tmp_path / "insole-right.stl")
     assert np.ptp(solid.vertices[:, 1]) > 230
     assert solid.vertices[:, 2].min() == pytest.approx(0.0, abs=0.01)
     assert hands.actions <= SINGLE_ACTIONS

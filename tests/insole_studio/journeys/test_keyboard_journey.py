@@ -25,6 +25,8 @@ pytestmark = pytest.mark.slow
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 MOST_TRIES = 300
+GRID_MM = 2.0
+"""With which designs begin here: what is typed must not get into its field."""
 NONE = Qt.KeyboardModifier.NoModifier
 
 
@@ -79,7 +81,9 @@ def _paste_path(path: Path, tries: int = MOST_TRIES) -> None:
 
 
 @pytest.fixture
-def keyboard(qapp: QApplication, qtbot: QtBot, paths: UserPaths) -> Iterator[Keyboard]:
+def keyboard(
+    qapp: QApplication, qtbot: QtBot, paths: UserPaths, coarse: None
+) -> Iterator[Keyboard]:
     with ScriptedWindow(paths, (960, 640)) as studio:
         # The real dialogs: they are answered by keys as well.
         studio.app.services.messages.questions = Questions(studio.app.window)
@@ -158,7 +162,7 @@ def test_the_standard_case_by_keys_alone(
     posting = design.corrections[1]
     assert isinstance(posting, Posting)
     assert (posting.rearfoot_deg, design.thickness_mm) == (4.0, 4.5)
-    assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
+    assert (tmp_path / "insole-left.stl").stat().st_size > 5e5
 
 
 MANUAL = Path(__file__).parents[3] / "docs" / "manual" / "keyboard.md"
@@ -208,7 +212,7 @@ def test_the_keys_of_the_manual_lead_where_it_says(
         follow(keyboard, keys)
     design = case.record.design
     assert design is not None
-    assert (design.thickness_mm, design.grid_mm) == (4.5, 1.0)
+    assert (design.thickness_mm, design.grid_mm) == (4.5, GRID_MM)
     assert [type(c) for c in design.corrections] == [Pelott, Posting]
     assert design.corrections[1].rearfoot_deg == 4.0
     assert app.stage.section.isVisible()
@@ -220,7 +224,7 @@ def test_the_keys_of_the_manual_lead_where_it_says(
     keyboard.answering_file(tmp_path / "insole.stl")
     follow(keyboard, export[1:])
     keyboard.wait_for(lambda: case.record is app.features.export.exported)
-    assert (tmp_path / "insole-left.stl").stat().st_size > 1e6
+    assert (tmp_path / "insole-left.stl").stat().st_size > 5e5
 
 
 def test_tab_follows_the_meaning_and_thickness_is_typed_whatever_is_selected(
@@ -258,7 +262,7 @@ def test_tab_follows_the_meaning_and_thickness_is_typed_whatever_is_selected(
         keyboard.type(f"{thickness:g}")
         keyboard.strike(KEY.Key_Escape)
         assert case.record.design is not None
-        assert (case.record.design.thickness_mm, case.record.design.grid_mm) == (thickness, 1.0)
+        assert (case.record.design.thickness_mm, case.record.design.grid_mm) == (thickness, GRID_MM)
 
 
 def _only_pad(keyboard: Keyboard) -> Pelott:
