@@ -31,7 +31,7 @@ from insole_core.solids.trimmed_grid import trim
 SQUARE = np.array([(-30.0, -60), (30, -60), (30, 60), (-30, 60)])
 
 
-def plate(heights, draft_deg=0.0, step=0.5, outline=SQUARE) -> TriangleMesh:
+def plate(heights, draft_deg=0.0, step=1.0, outline=SQUARE) -> TriangleMesh:
     """A plate of 60 x 120 mm whose upper side is heights(x, y)."""
     x, y = np.meshgrid(np.arange(-40, 40.1, step), np.arange(-70, 70.1, step))
     top = heights(x, y) + np.zeros_like(x)
@@ -61,7 +61,7 @@ def test_plain_plate_passes_everything():
 
 
 def test_thin_place_is_named():
-    dent = plate(lambda x, y: 8 - 7.4 * np.exp(-((x - 10) ** 2 + (y + 20) ** 2) / 60))
+    dent = plate(lambda x, y: 8 - 7.4 * np.exp(-((x - 10) ** 2 + (y + 20) ** 2) / 60), step=0.5)
     finding = finding_of("thickness", dent)
     assert not finding.passed
     assert finding.value == pytest.approx(0.6, abs=0.05)
@@ -77,7 +77,7 @@ def test_groove_against_the_cutter(radius, passes):
         depth = np.sqrt(np.clip(radius**2 - x**2, 0, None)) - (radius - 2)
         return 10 - np.clip(depth, 0, None)
 
-    finding = finding_of("cutter", plate(groove, step=0.25))
+    finding = finding_of("cutter", plate(groove, step=0.5))
     assert finding.passed is passes
     if not passes:
         # The ball rests on the edges, half a groove apart: half = sqrt(3² - 1²).
@@ -88,7 +88,7 @@ def test_groove_against_the_cutter(radius, passes):
 
 
 def test_step_is_measured():
-    finding = finding_of("step", plate(lambda x, _y: np.where(x < 5, 6.0, 12.0)))
+    finding = finding_of("step", plate(lambda x, _y: np.where(x < 5, 6.0, 12.0), step=0.5))
     assert not finding.passed
     assert finding.value == pytest.approx(6, abs=0.01)
     assert finding.place_mm is not None
