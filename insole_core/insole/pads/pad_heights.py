@@ -26,6 +26,7 @@ _DEPTH_CELLS = 160
 _ROUNDING = 0.05  # of the greatest depth: scale over which the creases of the depth are rounded
 _AROUND = 1.25  # reach of the grid relative to the outline: its edge must not affect the rounding
 _OUTLINE_PITCH = 0.2  # of a cell
+_LEAF = 64  # points; from the middle of a pad most of its outline is about as far away
 _DRAWN_POINTS = 120
 
 _fields = Memo(16)
@@ -175,7 +176,7 @@ def _depth(curve: FloatArray) -> _Depth:
     x, y = (np.arange(-n, n + 1) * step for n in half)
     places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
     points, inward = _dense(curve, _OUTLINE_PITCH * step)
-    _, nearest = scipy.spatial.cKDTree(points).query(places)
+    _, nearest = scipy.spatial.cKDTree(points, leafsize=_LEAF).query(places)
     # Along the edge's normal the distance does not depend on where the edge was sampled.
     values = ((places - points[nearest]) * inward[nearest]).sum(axis=-1)
     values = scipy.ndimage.gaussian_filter(values, _ROUNDING * values.max() / step, mode="nearest")
