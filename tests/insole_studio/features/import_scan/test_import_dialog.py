@@ -133,6 +133,49 @@ def test_a_contradicted_side_is_put_right_with_one_press(
     assert app.case.foot.side is Side.RIGHT
 
 
+@pytest.mark.slow
+def test_nothing_is_asked_of_a_known_side_and_the_file_at_another_size_is_another_foot(
+    app: Application,
+    questions: Any,
+    open_scan: Open,
+    settle: Callable[[], None],
+    right_foot: TriangleMesh,
+) -> None:
+    assert open_scan(right_foot, Side.RIGHT) is None  # type: ignore[call-arg]
+    before = app.case.foot
+    assert before is not None
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    choose_size(dialog.size_fields, "shoe")
+    field = dialog.size_fields.numbers["shoe"]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "46")
+    QTest.keyClick(field, Qt.Key.Key_Tab)
+    settle()
+    QTest.mouseClick(dialog.open_button, LEFT)
+    questions.same_side = SameSide.REPLACE
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.length_mm == pytest.approx(46 * 20 / 3 - 15, abs=12.0)
+    assert app.case.history.undo_sentence == "Put a new scan into the place of the old"
+
+
+def test_two_scans_opened_one_after_the_other_show_the_newer(
+    app: Application,
+    settle: Callable[[], None],
+    right_foot: TriangleMesh,
+    tmp_path: Path,
+) -> None:
+    turn = rigid(rotation_about(np.array([1.0, 1.0, 0.0]), 70.0), np.array([5.0, 0.0, 300.0]))
+    for name, mesh in (("first", right_foot), ("second", right_foot.transformed(turn))):
+        write_ply(mesh, tmp_path / f"{name}.ply")
+        app.features.case_files.opener.open_path(tmp_path / f"{name}.ply")
+    settle()
+    dialogs = [dialog for dialog in app.window.findChildren(ImportDialog) if dialog.isVisible()]
+    assert [dialog.windowTitle() for dialog in dialogs] == ["Open the scan second.ply"]
+
+
 def test_a_unit_that_makes_no_foot_is_refused_and_another_one_taken(
     app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
 ) -> None:
@@ -191,21 +234,6 @@ def test_a_warning_of_a_scan_that_is_opened_without_the_dialog_is_said(
     assert "so far from the origin" in said.text()
 
 
-def test_two_scans_opened_one_after_the_other_show_the_newer(
-    app: Application,
-    settle: Callable[[], None],
-    right_foot: TriangleMesh,
-    tmp_path: Path,
-) -> None:
-    turn = rigid(rotation_about(np.array([1.0, 1.0, 0.0]), 70.0), np.array([5.0, 0.0, 300.0]))
-    for name, mesh in (("first", right_foot), ("second", right_foot.transformed(turn))):
-        write_ply(mesh, tmp_path / f"{name}.ply")
-        app.features.case_files.opener.open_path(tmp_path / f"{name}.ply")
-    settle()
-    dialogs = [dialog for dialog in app.window.findChildren(ImportDialog) if dialog.isVisible()]
-    assert [dialog.windowTitle() for dialog in dialogs] == ["Open the scan second.ply"]
-
-
 @pytest.mark.slow
 def test_of_both_feet_only_the_one_that_was_asked_for_is_marked(
     app: Application, open_scan: Open, settle: Callable[[], None], box: TriangleMesh
@@ -216,72 +244,6 @@ def test_of_both_feet_only_the_one_that_was_asked_for_is_marked(
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     settle()
     assert [foot.side for foot in app.case.record.feet] == [Side.RIGHT]
-
-
-@pytest.mark.slow
-def test_a_shoe_size_or_two_clicked_points_give_the_scale_of_a_scan_without_unit(
-    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
-) -> None:
-    dialog = open_scan(replace(right_foot, vertices=right_foot.vertices * 0.003))
-    assert dialog is not None
-    assert not dialog.open_button.isEnabled()
-    choose_size(dialog.size_fields, "shoe")
-    settle()
-    assert dialog.open_button.isEnabled()
-    told = re.search(r"(\d+) mm long", dialog.finding.text())
-    assert told is not None
-    assert int(told[1]) == pytest.approx(40 * 20 / 3 - 15, abs=12.0)
-    choose_size(dialog.size_fields, "distance")
-    settle()
-    length_mm = float(np.ptp(right_foot.vertices[:, 1]))
-    shown_mm = 250.0  # what it is shown at, so that it can be clicked on
-    field = dialog.size_fields.numbers["distance"]
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, f"{(180 - 20) * length_mm / shown_mm:.1f}")
-    QTest.keyClick(field, Qt.Key.Key_Tab)
-    settle()
-    assert "two points" in dialog.hint.text()
-    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
-    assert not dialog.open_button.isEnabled()  # at a size that nobody has said
-    scene = dialog.model.scene
-    for y_mm in (20.0, 180.0):
-        QTest.mouseClick(scene.surface, LEFT, pos=pixel(scene, 0.0, y_mm))
-    settle()
-    assert not dialog.hint.isVisible()
-    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
-    QTest.mouseClick(dialog.open_button, LEFT)
-    settle()
-    assert app.case.foot is not None
-    assert app.case.foot.length_mm == pytest.approx(length_mm, rel=0.02)
-
-
-@pytest.mark.slow
-def test_nothing_is_asked_of_a_known_side_and_the_file_at_another_size_is_another_foot(
-    app: Application,
-    questions: Any,
-    open_scan: Open,
-    settle: Callable[[], None],
-    right_foot: TriangleMesh,
-) -> None:
-    assert open_scan(right_foot, Side.RIGHT) is None  # type: ignore[call-arg]
-    before = app.case.foot
-    assert before is not None
-    dialog = open_scan(right_foot)
-    assert dialog is not None
-    choose_size(dialog.size_fields, "shoe")
-    field = dialog.size_fields.numbers["shoe"]
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, "46")
-    QTest.keyClick(field, Qt.Key.Key_Tab)
-    settle()
-    QTest.mouseClick(dialog.open_button, LEFT)
-    questions.same_side = SameSide.REPLACE
-    settle()
-    assert app.case.foot is not None
-    assert app.case.foot.length_mm == pytest.approx(46 * 20 / 3 - 15, abs=12.0)
-    assert app.case.history.undo_sentence == "Put a new scan into the place of the old"
 
 
 @pytest.mark.slow
@@ -324,6 +286,44 @@ def test_both_feet_of_a_box_are_opened_at_once_and_of_the_reopened_case_read_as_
     for one, again in zip(before, after, strict=True):
         assert (one.side, one.foot.notes) == (again.side, again.foot.notes)
         np.testing.assert_array_equal(one.foot.mesh.vertices, again.foot.mesh.vertices)
+
+
+@pytest.mark.slow
+def test_a_shoe_size_or_two_clicked_points_give_the_scale_of_a_scan_without_unit(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(replace(right_foot, vertices=right_foot.vertices * 0.003))
+    assert dialog is not None
+    assert not dialog.open_button.isEnabled()
+    choose_size(dialog.size_fields, "shoe")
+    settle()
+    assert dialog.open_button.isEnabled()
+    told = re.search(r"(\d+) mm long", dialog.finding.text())
+    assert told is not None
+    assert int(told[1]) == pytest.approx(40 * 20 / 3 - 15, abs=12.0)
+    choose_size(dialog.size_fields, "distance")
+    settle()
+    length_mm = float(np.ptp(right_foot.vertices[:, 1]))
+    shown_mm = 250.0  # what it is shown at, so that it can be clicked on
+    field = dialog.size_fields.numbers["distance"]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, f"{(180 - 20) * length_mm / shown_mm:.1f}")
+    QTest.keyClick(field, Qt.Key.Key_Tab)
+    settle()
+    assert "two points" in dialog.hint.text()
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    assert not dialog.open_button.isEnabled()  # at a size that nobody has said
+    scene = dialog.model.scene
+    for y_mm in (20.0, 180.0):
+        QTest.mouseClick(scene.surface, LEFT, pos=pixel(scene, 0.0, y_mm))
+    settle()
+    assert not dialog.hint.isVisible()
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.length_mm == pytest.approx(length_mm, rel=0.02)
 
 
 def test_the_unit_is_asked_by_what_each_would_give(
