@@ -263,7 +263,7 @@ def test_a_journal_loses_no_field_that_somebody_else_has_changed(
     assert records.visits.get(visit.id).findings == "Flat foot\nName: Anna Ek"
 
 
-def test_work_waits_for_a_database_that_is_away(
+def test_work_waits_for_a_database_that_is_away_also_when_its_visit_is_left(
     opened: Application, records: Records, visit: Visit, away: Callable[[bool], None], qtbot: QtBot
 ) -> None:
     away(True)
@@ -277,16 +277,12 @@ def test_work_waits_for_a_database_that_is_away(
     wait_until_saved(opened, qtbot)
     assert newest_mm(records, visit) == 5.5
 
-
-def test_a_visit_left_meanwhile_is_handed_over_when_the_database_is_back(
-    opened: Application, records: Records, visit: Visit, away: Callable[[bool], None], qtbot: QtBot
-) -> None:
     away(True)
-    thicken(opened, 5.5)
+    thicken(opened, 6.0)
     opened.controller.run_action("new_case", False)
     qtbot.waitUntil(lambda: opened.case.kept is None)
     away(False)
-    qtbot.waitUntil(lambda: newest_mm(records, visit) == 5.5)
+    qtbot.waitUntil(lambda: newest_mm(records, visit) == 6.0)
     notices = opened.services.notices
     said = "Anna Berg: what was not saved yet is now in the record."
     qtbot.waitUntil(lambda: [notice.text for notice in notices.notices] == [said])
