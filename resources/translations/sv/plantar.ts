@@ -20,10 +20,6 @@
             <translation>Lägg bibliotekets avlastning under huvudet; den kan ångras och ändras</translation>
         </message>
         <message>
-            <source>Between (95 %)</source>
-            <translation>Mellan (95 %)</translation>
-        </message>
-        <message>
             <source>Change of pressure</source>
             <translation>Ändring av trycket</translation>
         </message>

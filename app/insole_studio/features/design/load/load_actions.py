@@ -213,20 +213,20 @@ def _dose_text(dose: Dose, pad: str, percent: float) -> str:
 
 def _row(name: str, text: str, told: Sequence[PressureChange | None], problem: str) -> TableRow:
     """Return what is told of a region, of one insole or two."""
-    cells, tips = zip(*(_cells(name, one, problem) for one in told), strict=True)
-    filled = [cell for pair in cells for cell in pair] + ["", ""] * (2 - len(cells))
+    cells, tips = zip(*(_cell(name, one, problem) for one in told), strict=True)
+    filled = [*cells, *[""] * (2 - len(cells))]
     return TableRow(name, (text, *filled), tip="\n".join(filter(None, tips)))
 
 
-def _cells(name: str, limits: PressureChange | None, problem: str) -> tuple[tuple[str, str], str]:
-    """Return a change and its limits, and why there are none; no figure without its limits."""
+def _cell(name: str, limits: PressureChange | None, problem: str) -> tuple[str, str]:
+    """Return a change with its limits, and why there is none; no figure without its limits."""
     if limits is None:
-        return ((tr("cannot tell"), "–"), problem) if problem else (("…", "…"), "")
+        return (tr("cannot tell"), problem) if problem else ("…", "")
     told = limits.regions[name]
     if told.reason or told.percent is None or told.limits is None:
-        return (tr("cannot tell"), "–"), translate_core_message(told.reason)
-    low, high = told.limits
-    return (_signed(told.percent), f"{_signed(low)} … {_signed(high)}"), ""
+        return tr("cannot tell"), translate_core_message(told.reason)
+    low, high = (localised(round(limit) + 0.0, "+.0f") for limit in told.limits)
+    return f"{_signed(told.percent)} ({low} … {high})", ""
 
 
 def _all_reasons(told: Sequence[PressureChange | None], names: Sequence[str]) -> list[str]:

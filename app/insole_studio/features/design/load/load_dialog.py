@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -26,8 +26,10 @@ from insole_studio.widgets.form_parts import ComboBox, mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.row_table import RowTable, TableRow
+from insole_studio.widgets.screen_room import Scrolled, bounded
 
-_WIDTH_PX, _TABLE_PX = 520, 190
+_WIDTH_PX, _TABLE_PX = 430, 190
+"""So narrow that on a screen of 1366 pixels both views show the whole foot and insole beside it."""
 _FLAT = ""
 _USUAL_TARGET = -20.0
 
@@ -48,7 +50,7 @@ class LoadDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Change of pressure"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setMinimumWidth(_WIDTH_PX)
+        self.resize(_WIDTH_PX, 0)  # else the words would be laid out in as few lines as can be
         self.weight = NumberField("kg", least=0, greatest=WEIGHT_KG.greatest, step=1)
         self.weight.allow_unknown(WEIGHT_KG.least)
         self.posture = ComboBox([(posture.value, text) for posture, text in _postures()])
@@ -61,7 +63,7 @@ class LoadDialog(QDialog):
         self.fit.setEnabled(False)
         self.fitted = MessageLabel("quiet")
         self.papers = QCheckBox(tr("Put it on the papers of the order and the prescription"))
-        self.table = RowTable(["", "", "", "", ""], sorts=False)
+        self.table = RowTable(["", "", ""], sorts=False)
         self._show_headings(())
         self.table.setMinimumHeight(_TABLE_PX)
         self.area = QLabel()
@@ -79,7 +81,7 @@ class LoadDialog(QDialog):
         self._pages = QStackedWidget()
         self._pages.addWidget(self._page_to_read())
         self._told = self._answer()
-        self._pages.addWidget(self._told)
+        self._pages.addWidget(Scrolled(self._told))
         layout = QVBoxLayout(self)
         layout.addWidget(self._pages)
         self._pages.setCurrentIndex(int(is_read))
@@ -163,17 +165,24 @@ class LoadDialog(QDialog):
         self._make_room()
 
     def _show_headings(self, pair: Sequence[str]) -> None:
-        peak, between = tr("Peak pressure"), tr("Between (95 %)")
-        own, beside = pair or (peak, "")
-        self.table.show_headings([tr("Region"), own, between, beside, between if beside else ""])
+        limits = "(95 %)"
+        own, beside = pair or (tr("Peak pressure"), "")
+        headings = f"{own} {limits}", f"{beside} {limits}" if beside else ""
+        self.table.show_headings([tr("Region"), *headings])
 
     def _make_room(self) -> None:
-        """Grow with what is told; else it would be squeezed."""
-        for layout in (self._told.layout(), self.layout()):
-            if layout is not None:
-                layout.activate()
-        height = max(self.height(), self.heightForWidth(self.width()), self.sizeHint().height())
-        self.resize(self.width(), height)
+        """Grow with what is told, as far as the screen has room; beyond that it is scrolled."""
+        own, told = self.layout(), self._told.layout()
+        if own is None or told is None:
+            return
+        told.activate()
+        margins = own.contentsMargins()
+        inner_px = self.width() - margins.left() - margins.right()
+        told_px = told.totalHeightForWidth(inner_px) + margins.top() + margins.bottom()
+        self.resize(bounded(self, QSize(self.width(), max(self.height(), told_px))))
+        room, frame = self.screen().availableGeometry(), self.frameGeometry()
+        if frame.bottom() > room.bottom():
+            self.move(self.x(), max(room.top(), self.y() - frame.bottom() + room.bottom()))
 
     def _ask(self, _value: object) -> None:
         self.asked.emit()
