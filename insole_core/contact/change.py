@@ -264,7 +264,10 @@ class Change:
             posture is Posture.PUSH_OFF
             or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
         ):
-            return Message("Published series on pads under the heads are not reproduced.")
+            return Message(
+                "Series of pads, bars and covers, measured in walking, are not reproduced, not "
+                "even in direction."
+            )
         if self._densified[inside(self.sole, name)].any():
             return Message("The insole is too thin there: it is compressed by more than half.")
         return _NOT_LOADED if self.peaks_kpa(name)[0] < LOADED_KPA else _NONE

@@ -2464,10 +2464,6 @@
             <translation>Pseudonym eller beställningsnummer</translation>
         </message>
         <message>
-            <source>Published series on pads under the heads are not reproduced.</source>
-            <translation>Publicerade serier om pelotter under huvudena återges inte.</translation>
-        </message>
-        <message>
             <source>Put in cutter {cutter}, and run {file}.</source>
             <translation>Sätt i fräs {cutter} och kör {file}.</translation>
         </message>
@@ -2770,6 +2766,10 @@
         <message>
             <source>Serial number of the piece</source>
             <translation>Styckets serienummer</translation>
+        </message>
+        <message>
+            <source>Series of pads, bars and covers, measured in walking, are not reproduced, not even in direction.</source>
+            <translation>Serier om pelotter, barer och hela lock, mätta vid gång, återges inte, inte ens till riktningen.</translation>
         </message>
         <message>
             <source>Sesamoiditis</source>
