@@ -265,8 +265,8 @@ class Change:
             or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
         ):
             return Message(
-                "Series of pads, bars and covers, measured in walking, are not reproduced, not "
-                "even in direction."
+                "The model does not always meet published series here, measured in walking; of "
+                "some pads and bars not even the direction is right."
             )
         if self._densified[inside(self.sole, name)].any():
             return Message("The insole is too thin there: it is compressed by more than half.")

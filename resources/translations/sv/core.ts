@@ -2768,10 +2768,6 @@
             <translation>Styckets serienummer</translation>
         </message>
         <message>
-            <source>Series of pads, bars and covers, measured in walking, are not reproduced, not even in direction.</source>
-            <translation>Serier om pelotter, barer och hela lock, mätta vid gång, återges inte, inte ens till riktningen.</translation>
-        </message>
-        <message>
             <source>Sesamoiditis</source>
             <translation>Sesamoidit</translation>
         </message>
@@ -3674,6 +3670,10 @@
         <message>
             <source>The mesh is open or crosses itself; only a closed solid can be worked.</source>
             <translation>Ytmodellen är öppen eller korsar sig själv; bara en sluten kropp kan bearbetas.</translation>
+        </message>
+        <message>
+            <source>The model does not always meet published series here, measured in walking; of some pads and bars not even the direction is right.</source>
+            <translation>Modellen återger här inte alltid publicerade serier, mätta vid gång; för vissa pelotter och barer stämmer inte ens riktningen.</translation>
         </message>
         <message>
             <source>The model needs walls at {count} clearly different distances; capture more, for example at 600, 800 and 1000 mm.</source>

@@ -186,7 +186,7 @@ def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(so
     assert not behind.reason
     assert behind.percent is not None
     assert -17 < behind.percent < 0
-    assert "not even in direction" in under.reason
+    assert "not even the direction" in under.reason
     assert "metatarsal_heads" in told[1].cannot_tell
 
 
