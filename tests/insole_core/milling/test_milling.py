@@ -489,13 +489,12 @@ def test_a_hollow_too_tight_for_the_cutter_is_told_with_its_place():
     (note,) = plan.notes
     assert '"6 mm ball nose" is too thick for a hollow' in note
     assert "x = 40 mm" in note
-    narrow = narrowed(solid(groove=True))
     for side, turned, words in (
         (Side.LEFT, False, "from the heel in the middle"),
         (Side.RIGHT, True, "from the heel in the middle"),
     ):
         feet = [FootInBlock(side, turned, "26-7" if turned else "")]
-        (said,) = plan_milling([narrow], BLOCK_MM, how, feet=feet).notes
+        (said,) = plan_milling([solid(groove=True)], BLOCK_MM, how, feet=feet).notes
         assert words in said
         assert said.startswith("26-7 right: ") == turned
     deepest = float(np.nanmax(plan.left_over[0].height_mm))
