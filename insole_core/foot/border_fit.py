@@ -13,7 +13,7 @@ whose covariance gives the uncertainty of the reach.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
@@ -28,10 +28,12 @@ _TOUCH_MM, _TOUCHES_SHARED = 0.35, 2.0  # noise of a contour, and how many point
 _SURFACE_MM, _SLOPE, _SURFACE_WORTH = 0.8, 0.1, 1.0
 """Noise of the measured surface near its rim, of its slope there, and the number of independent
 points to which a millimetre of it is equivalent."""
+_LEAST_RADIUS_MM, _STEEPEST = 6.0, 1.2
+"""Of a section on which the points of a surface lie, and the slope beyond which it is straight."""
 _WIDE_MM, _OUTERMOST_MM2 = 3.0, 6.0
 """Half of the width of a strip of a measured surface, and the part whose mean is its reach."""
 _OUTLYING_TOUCH_MM, _OUTLYING = 0.5, 1.0
-_ROUNDS = 4
+_ROUNDS, _ROUNDS_BY_POINTS = 4, 8
 _MORE = 3  # strips beyond each end of the border that take part
 _BENDS = 3.0
 """How much the bend of a border varies, in shares of it."""
@@ -57,6 +59,8 @@ class UsualBorder:
         Radius of the border as seen from below.
     pull_mm
         Distance from its usual position at which its end must lie one millimetre farther out.
+    by_points
+        Whether of the measured surface only its points count, not the slope that its normals tell.
     """
 
     height_mm: tuple[float, float, float, float]
@@ -64,6 +68,7 @@ class UsualBorder:
     above_mm: tuple[float, float, float, float]
     bend_mm: float
     pull_mm: float
+    by_points: bool = False
 
     def scaled(self, factor: float) -> UsualBorder:
         """Scale all lengths, for a foot of another size."""
@@ -71,7 +76,8 @@ class UsualBorder:
             (factor * rear, factor * middle, factor * front, factor * spread)
             for rear, middle, front, spread in (self.height_mm, self.below_mm, self.above_mm)
         )
-        return UsualBorder(height, below, above, factor * self.bend_mm, self.pull_mm)
+        bend_mm = factor * self.bend_mm
+        return replace(self, height_mm=height, below_mm=below, above_mm=above, bend_mm=bend_mm)
 
 
 @dataclass(frozen=True, eq=False)
@@ -249,6 +255,18 @@ class _Rows:
         flat = shape.reshape(len(parts), _SHAPE)
         return np.concatenate([parts[:, :1] * hats, flat], axis=1)
 
+    def on_section(self, nodes: FloatArray, shape: FloatArray) -> _Rows:
+        """Return the tangents of a section of some shape (9,) at the heights of the points.
+
+        The support function is least sensitive to the slope there, so its error hardly counts.
+        """
+        height, below, above = (_between(self.across, nodes) @ part for part in np.split(shape, 3))
+        over = self.height - height
+        radius = np.maximum(np.where(over < 0, below, above), _LEAST_RADIUS_MM)
+        slope = np.clip(over / radius, -_STEEPEST, _STEEPEST)
+        along = self.distance - self.slope * self.height
+        return replace(self, slope=slope, distance=along + slope * self.height)
+
     def weights(self, middles: FloatArray) -> FloatArray:
         """Return how near (s, k) each tangent is to some strips."""
         return np.asarray(np.exp(-0.5 * ((self.across - middles[:, None]) / _SPREAD_MM) ** 2))
@@ -262,39 +280,46 @@ def _fit(
     The reach bends as usual from each place to the next, and height and radii of the section
     change smoothly: where outlines show only one side of it, those beside tell how round it is.
     """
-    share = min(1.0, _SURFACE_WORTH * float(np.ptp(nodes)) / max(len(measured.slope), 1))
-    worth = np.full(len(measured.slope), share)
-    radius = np.where(measured.slope < 0, usual.below_mm[1], usual.above_mm[1])
-    place_mm = _SLOPE * radius
-    rows = np.concatenate(
-        [
-            outlines.columns(nodes, _tangents(outlines.slope)),
-            measured.columns(nodes, _tangents(measured.slope)),
-            measured.columns(nodes, _places(measured.slope)),
-        ]
-    )
-    values = np.concatenate([outlines.distance, measured.distance, measured.height])
-    information = np.concatenate(
-        [
-            np.full(len(outlines.slope), 1 / (_TOUCHES_SHARED * _TOUCH_MM**2)),
-            worth / _SURFACE_MM**2,
-            worth / place_mm**2,
-        ]
-    )
-    outlying = np.repeat(
-        [_OUTLYING_TOUCH_MM, _OUTLYING * _SURFACE_MM], [len(outlines.slope), len(worth)]
-    )
-    outlying = np.concatenate([outlying, _OUTLYING * place_mm])
     prior, known = _prior(nodes, usual)
+    rows, values, noise_mm, outlying_mm = _equations(outlines, measured, nodes, usual)
+    information = 1 / noise_mm**2
     weights = information
-    for _ in range(_ROUNDS):
+    for _ in range(_ROUNDS_BY_POINTS if usual.by_points else _ROUNDS):
         normal = rows.T @ (weights[:, None] * rows) + prior
-        solution = np.linalg.solve(normal, rows.T @ (weights * values) + known)
-        off = (values - rows @ solution) / outlying
+        solution = np.asarray(np.linalg.solve(normal, rows.T @ (weights * values) + known), float)
+        if usual.by_points:
+            measured = measured.on_section(nodes, solution[len(nodes) :])
+            rows, values, _, _ = _equations(outlines, measured, nodes, usual)
+        off = (values - rows @ solution) / outlying_mm
         weights = information / (1 + off**2) ** 2
     count = len(nodes)
     deviation = np.sqrt(np.diag(np.linalg.inv(normal))[:count])
     return solution[:count], _between(nodes, nodes) @ solution[count : count + 3], deviation
+
+
+def _equations(
+    outlines: _Rows, measured: _Rows, nodes: FloatArray, usual: UsualBorder
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Return rows (k, nodes + 9), values, noise and size of an outlier (k,) of all that was seen.
+
+    Of the surface these are its tangents and, unless only its points count, where they touch it.
+    """
+    share = min(1.0, _SURFACE_WORTH * float(np.ptp(nodes)) / max(len(measured.slope), 1))
+    touch = np.full(len(outlines.slope), _TOUCH_MM)
+    plane = np.full(len(measured.slope), _SURFACE_MM)
+    radius = np.where(measured.slope < 0, usual.below_mm[1], usual.above_mm[1])
+    place = _SLOPE * radius[: 0 if usual.by_points else None]
+    rows = [
+        outlines.columns(nodes, _tangents(outlines.slope)),
+        measured.columns(nodes, _tangents(measured.slope)),
+        measured.columns(nodes, _places(measured.slope))[: len(place)],
+    ]
+    values = [outlines.distance, measured.distance, measured.height[: len(place)]]
+    worth = share**0.5
+    noise_mm = [_TOUCHES_SHARED**0.5 * touch, plane / worth, place / worth]
+    outlying_mm = [np.full(len(touch), _OUTLYING_TOUCH_MM), _OUTLYING * plane, _OUTLYING * place]
+    row, value, noise, outlier = map(np.concatenate, (rows, values, noise_mm, outlying_mm))
+    return row, value, noise, outlier
 
 
 def _prior(nodes: FloatArray, usual: UsualBorder) -> tuple[FloatArray, FloatArray]:

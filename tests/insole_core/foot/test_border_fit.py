@@ -47,6 +47,27 @@ def test_the_surface_below_makes_it_more_certain() -> None:
     assert (fit.deviation_mm < fitted(NOTHING, outlines).deviation_mm).all()
 
 
+def test_by_points_what_normals_say_does_not_count() -> None:
+    surface, outlines = wall(np.arange(-40.0, 41.0, 10.0)), wall(np.array([-25.0]))
+    turn = rotation_about(np.array([0.0, 1.0, 0.0]), 8.0)
+    leaning = ContourConstraints(surface.points, surface.normals @ turn.T)
+    fits = [
+        fit_border(leaning, outlines, MEDIAL, (150.0, 190.0), replace(USUAL, by_points=told))
+        for told in (True, False)
+    ]
+    by_points, by_normals = (np.abs(fit.reach_mm - CENTRE_X - RADIUS).max() for fit in fits)
+    assert by_points < 0.2 < by_normals
+    assert fits[0].height_mm == pytest.approx(HEIGHT, abs=1.0)
+
+
+def test_points_tell_a_widest_place_far_below_the_usual_one() -> None:
+    usual = UsualBorder((27, 27, 27, 8), (14, 14, 14, 8), (40, 40, 40, 20), 80, np.inf, True)
+    surface, outlines = wall(np.arange(-40.0, 11.0, 5.0)), wall(np.array([-30.0]))
+    fit = fit_border(surface, outlines, MEDIAL, (150.0, 190.0), usual)
+    assert fit.reach_mm == pytest.approx(CENTRE_X + RADIUS, abs=0.3)
+    assert fit.height_mm == pytest.approx(HEIGHT, abs=2.0)
+
+
 def test_an_outline_from_one_side_is_trusted_less() -> None:
     one, both = (fitted(NOTHING, wall(np.array(a))) for a in ([-25.0], [-25.0, 25.0]))
     off = np.abs(one.reach_mm - CENTRE_X - RADIUS)
