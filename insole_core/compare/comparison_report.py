@@ -91,7 +91,7 @@ def draw_picture(
 def drawn_maps(
     difference: Difference, names: tuple[str, str], translate: Translate = str
 ) -> ByteArray:
-    """Return the picture of `draw_picture` for display, (height, width, 3) uint8, RGB."""
+    """Return the maps of a difference as a picture, (height, width, 3) uint8, RGB."""
     canvas = FigureCanvasAgg(_maps(difference, names, translate))
     canvas.draw()  # type: ignore[no-untyped-call] # Figure.savefig would draw twice
     drawn = np.asarray(canvas.buffer_rgba(), np.uint8)  # type: ignore[no-untyped-call]

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
+import scipy
 
 from insole_core.contact.load_case import LOAD_CASES, LoadCase, Posture
 from insole_core.contact.pressing import Pressed
@@ -305,12 +306,15 @@ def inside(sole: Sole, name: str) -> BoolArray:
 
 
 def _level_and_tilts(sole: Sole, name: str) -> FloatArray:
-    """(n, 3) heights of the nodes in one of `GROUPS` under which its form stays, orthonormal."""
+    """(n, k) directions, orthonormal, in which the heights of a group's nodes may change as one.
+
+    Its form stays under all of them: it only rises or tilts.
+    """
 
     def find() -> FloatArray:
         rows, columns = np.nonzero(inside(sole, name))
-        motions = np.column_stack([np.ones(len(rows)), columns, rows])
-        return np.asarray(np.linalg.qr(motions).Q)
+        motions = np.column_stack([np.ones(len(rows)), columns, rows]).astype(np.float64)
+        return np.asarray(scipy.linalg.orth(motions))
 
     return sole.derived.get("level and tilts", name, find)
 

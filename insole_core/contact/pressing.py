@@ -189,8 +189,8 @@ class Support:
         start
             What was found on a support much like this one, to start from.
         follows
-            Go only a few rounds from the start, while the support is being drawn; where it has
-            moved too far for that, as many as are needed.
+            Go only a few rounds, from the start or from nothing, while the support is being drawn;
+            where it has moved too far for that, as many as are needed.
 
         Raises
         ------

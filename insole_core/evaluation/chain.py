@@ -270,7 +270,7 @@ class _Placed:
         best = fitted(form, surface.vertices[own], surface.vertex_areas[own])
         others = _large_pieces(surface.part(~own))
         tree = scipy.spatial.cKDTree(others) if len(others) else None
-        return cls(known, capture, known.counted(form, best), tree)
+        return cls(known, capture, known.reference_form(form, best), tree)
 
     def errors(self, correction: Correction, views: tuple[str, ...]) -> ChainErrors:
         """Measure the errors with one correction."""
@@ -288,7 +288,7 @@ class _Placed:
         size_mm = fitted(self.form, points, areas, size=True).size_mm
         true_mm = self.known.true_size_mm(size_mm)
         best = fitted(self.form.of_size(true_mm), points, areas)
-        form = self.known.counted(self.form, best)
+        form = self.known.reference_form(self.form, best)
         surface = self._surface(form, result.depth_views, points, areas, views)
         sensors = tuple(self._sensor(view, form, correction) for view in result.depth_views)
         missing = self._missing_share(form, points)

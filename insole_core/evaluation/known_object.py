@@ -32,7 +32,7 @@ _MOST_SCALE = 0.01
 class _Fitted:
     """A body whose place is not known: it is laid onto what was measured of it."""
 
-    def counted(self, found: KnownForm, best: KnownForm) -> KnownForm:
+    def reference_form(self, found: KnownForm, best: KnownForm) -> KnownForm:
         """Return which place errors are counted from: where it was found, or where it fits best."""
         return best
 
@@ -213,7 +213,7 @@ class KnownPlaced(_OfKnownForm):
             return Message("{name} as it was drawn, its print not measured", name=self.name)
         return Message("{name} as it was printed ({off})", name=self.name, off=self.bar.text)
 
-    def counted(self, found: KnownForm, best: KnownForm) -> KnownForm:
+    def reference_form(self, found: KnownForm, best: KnownForm) -> KnownForm:
         """Return its own place."""
         return found
 

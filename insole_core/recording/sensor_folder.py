@@ -391,7 +391,7 @@ def write_sensor(
     times : optional
         Of the frames beside it.
     dots : optional
-        The infrared pictures beside it, of which all but the pictures is written.
+        The infrared pictures beside it, which are written but for the pictures.
 
     Raises
     ------

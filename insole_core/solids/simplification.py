@@ -64,7 +64,7 @@ def simplify(solid: TriangleMesh, most_triangles: int, most_deviation_mm: float)
             fewest, high = attempt, middle
         else:
             low = middle
-    best = from_manifold(fewest or body.simplify(high))
+    best = from_manifold(body.simplify(high) if fewest is None else fewest)
     deviation = greatest_distance(best, solid.vertices)
     if len(best.triangles) > most_triangles or deviation > most_deviation_mm:
         raise DesignError(

@@ -23,7 +23,7 @@ _MOST_MOVED_RAW = 1.5
 """Of a foot that moved by 1 mm sideways or 1.5 mm in depth (1.05 to 1.36) the pictures still bring
 the surface nearer the truth; by 2 mm sideways (1.9 to 2.5) no longer."""
 _PATCH = 7
-"""Blocks across a patch, a third of a foot's width, whose median no flickering edge moves."""
+"""Blocks across a patch, two thirds of a foot's width, whose median no flickering edge moves."""
 
 
 class InfraredSeries:

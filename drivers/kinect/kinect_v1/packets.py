@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -23,25 +22,13 @@ _HEADER = np.dtype(
     }
 )
 ByteArray = NDArray[np.uint8]
-_TIMESTAMP = struct.Struct("<I")
-_TIMESTAMP_OFFSET = 8
-
-
-def packet_flag(mode: StreamMode, index: int) -> int:
-    """Return the flag of packet `index` of a frame.
-
-    Parameters
-    ----------
-    index
-        From 0.
-    """
-    place = {0: FIRST, mode.packets - 1: LAST}.get(index, MIDDLE)
-    return mode.kind.flag | place
 
 
 def packet_flags(mode: StreamMode) -> ByteArray:
     """Return the flags of the packets of a frame, (packets,) uint8."""
-    return np.array([packet_flag(mode, index) for index in range(mode.packets)], np.uint8)
+    flags = np.full(mode.packets, mode.kind.flag | MIDDLE, np.uint8)
+    flags[0], flags[-1] = mode.kind.flag | FIRST, mode.kind.flag | LAST
+    return flags
 
 
 def packet_lengths(mode: StreamMode) -> NDArray[np.uint32]:
@@ -71,6 +58,11 @@ def encode_headers(
     headers["length"] = lengths
     headers["device_time"] = device_times & 0xFFFFFFFF
     return headers.view(np.uint8).reshape(-1, HEADER_BYTES)
+
+
+def _headers(buffer: ByteArray, rows: NDArray[np.intp]) -> NDArray[np.void]:
+    """Return the headers in some rows of a block, (n,)."""
+    return buffer[rows, :HEADER_BYTES].view(_HEADER)[:, 0]
 
 
 class PacketBlock(NamedTuple):
@@ -139,8 +131,8 @@ class FrameAssembler:
     def feed(self, block: PacketBlock) -> list[PackedFrame]:
         """Process the packets of one transfer; return the frames that they complete."""
         rows = np.flatnonzero(block.good & (block.lengths >= HEADER_BYTES))
-        headers = block.buffer[rows, :HEADER_BYTES]
-        genuine = (headers[:, 0] == MAGIC[0]) & (headers[:, 1] == MAGIC[1])
+        headers = _headers(block.buffer, rows)
+        genuine = headers["magic"] == MAGIC
         lengths = block.lengths[rows]
         frames: list[PackedFrame] = []
         at = 0
@@ -152,7 +144,7 @@ class FrameAssembler:
             self._take(block.buffer, rows[at : at + run], frames)
             at += run
             if at < len(rows):
-                self._lose_track(int(headers[at, 5]))
+                self._lose_track(int(headers["sequence"][at]))
         return frames
 
     def interrupt(self) -> None:
@@ -166,23 +158,23 @@ class FrameAssembler:
 
     def _find_start(
         self,
-        headers: ByteArray,
+        headers: NDArray[np.void],
         lengths: NDArray[np.uint32],
         genuine: NDArray[np.bool_],
         at: int,
     ) -> int:
         """Return the index of a frame's first packet from `at` on, or the end."""
-        first = genuine[at:] & (headers[at:, 3] == self._flags[0])
+        first = genuine[at:] & (headers["flag"][at:] == self._flags[0])
         first &= lengths[at:] == self._lengths[0]
         if not first.any():
             return len(headers)
         at += int(first.argmax())
         self._index = 0
-        self._sequence = int(headers[at, 5])
+        self._sequence = int(headers["sequence"][at])
         return at
 
     def _count_expected(
-        self, headers: ByteArray, lengths: NDArray[np.uint32], genuine: NDArray[np.bool_]
+        self, headers: NDArray[np.void], lengths: NDArray[np.uint32], genuine: NDArray[np.bool_]
     ) -> int:
         """Count the packets that follow each other exactly as expected."""
         assert self._sequence is not None
@@ -190,8 +182,8 @@ class FrameAssembler:
         places = (self._index + steps) % self._mode.packets
         expected = (
             genuine
-            & (headers[:, 5] == (self._sequence + steps) & 0xFF)
-            & (headers[:, 3] == self._flags[places])
+            & (headers["sequence"] == (self._sequence + steps) & 0xFF)
+            & (headers["flag"] == self._flags[places])
             & (lengths == self._lengths[places])
         )
         return len(headers) if expected.all() else int(expected.argmin())
@@ -207,7 +199,7 @@ class FrameAssembler:
             self._index += len(part)
             rows = rows[len(part) :]
             if self._index == self._mode.packets:
-                (time,) = _TIMESTAMP.unpack_from(buffer[part[-1]], _TIMESTAMP_OFFSET)
+                time = int(_headers(buffer, part[-1:])["device_time"][0])
                 data = self._frame.reshape(-1)[: self._mode.frame_bytes]
                 frames.append(PackedFrame(data, time))
                 self._frame = self._new_frame()

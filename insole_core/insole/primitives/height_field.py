@@ -97,7 +97,7 @@ class HeightField:
     def weights_at(self, xy: FloatArray) -> scipy.sparse.csr_array:
         """(n, ny * nx) shares of the nodes in the heights at points (n, 2), as `height_at`.
 
-        For who interpolates other heights on this grid again and again at the same points.
+        For other heights on this grid that are asked for again and again at the same points.
         """
         (i, j), (u, v), inside = self._cells_at(xy)
         rows, columns = self.heights_mm.shape

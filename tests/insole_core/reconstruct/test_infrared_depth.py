@@ -170,10 +170,22 @@ def test_where_light_or_noise_covers_the_dots_is_told(
 def test_undisturbed_views_are_silent_and_disturbed_ones_name_one_reason(
     bright: float, noisy: float, reason: str
 ) -> None:
-    """The greatest shares of ten simulated feet without a disturbance, the least with one."""
+    """What undisturbed feet have at most, and disturbed ones at least that are to be told."""
     use = InfraredUse(1.0, used=True, bright=bright, noisy=noisy)
     told = infrared_warnings({}, {"left": use})
     assert [reason in sentence for sentence in told] == [True] * bool(reason)
+
+
+@pytest.mark.parametrize(
+    ("moved_raw", "is_told"), [(None, False), (0.25, False), (0.47, True), (1.2, True)]
+)
+def test_a_foot_that_moved_is_told_even_where_its_pictures_lie_on_the_depth(
+    moved_raw: float | None, is_told: bool
+) -> None:
+    """Depth of still scenes changes by up to 0.25 raw; a foot that came 0.5 mm nearer by 0.47."""
+    use = InfraredUse(1.0, used=True, drift_raw=0.2, moved_raw=moved_raw)
+    told = infrared_warnings({}, {"left": use})
+    assert ["the foot moved a little" in sentence for sentence in told] == [True] * is_told
 
 
 def test_a_pattern_that_drifted_is_told_and_moves_nothing(

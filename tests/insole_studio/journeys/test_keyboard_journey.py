@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 from real_dialogs import paste_path
 
 from insole_core.insole.elements import Pelott, Posting
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.app.scripted import ScriptedWindow
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.services.questions import Questions
@@ -25,8 +26,6 @@ pytestmark = pytest.mark.slow
 KEY = Qt.Key
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 MOST_TRIES = 300
-GRID_MM = 2.0
-"""With which designs begin here: what is typed must not get into its field."""
 NONE = Qt.KeyboardModifier.NoModifier
 
 
@@ -212,7 +211,7 @@ def test_the_keys_of_the_manual_lead_where_it_says(
         follow(keyboard, keys)
     design = case.record.design
     assert design is not None
-    assert (design.thickness_mm, design.grid_mm) == (4.5, GRID_MM)
+    assert (design.thickness_mm, design.grid_mm) == (4.5, InsoleDesign(design.side).grid_mm)
     assert [type(c) for c in design.corrections] == [Pelott, Posting]
     assert design.corrections[1].rearfoot_deg == 4.0
     assert app.stage.section.isVisible()
@@ -262,7 +261,11 @@ def test_tab_follows_the_meaning_and_thickness_is_typed_whatever_is_selected(
         keyboard.type(f"{thickness:g}")
         keyboard.strike(KEY.Key_Escape)
         assert case.record.design is not None
-        assert (case.record.design.thickness_mm, case.record.design.grid_mm) == (thickness, GRID_MM)
+        design = case.record.design
+        assert (design.thickness_mm, design.grid_mm) == (
+            thickness,
+            InsoleDesign(design.side).grid_mm,
+        )
 
 
 def _only_pad(keyboard: Keyboard) -> Pelott:

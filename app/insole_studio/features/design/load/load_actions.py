@@ -225,7 +225,7 @@ def _cell(name: str, limits: PressureChange | None, problem: str) -> tuple[str, 
     told = limits.regions[name]
     if told.reason or told.percent is None or told.limits is None:
         return tr("cannot tell"), translate_core_message(told.reason)
-    low, high = (localised(round(limit) + 0.0, "+.0f") for limit in told.limits)
+    low, high = (_rounded(limit) for limit in told.limits)
     return f"{_signed(told.percent)} ({low} … {high})", ""
 
 
@@ -253,7 +253,11 @@ def _reasons(told: PressureChange | None) -> list[str]:
 
 
 def _signed(percent: float) -> str:
-    return f"{localised(round(percent) + 0.0, '+.0f')} %"
+    return f"{_rounded(percent)} %"
+
+
+def _rounded(percent: float) -> str:
+    return localised(round(percent) + 0.0, "+.0f")  # no negative zero
 
 
 def _regions() -> dict[str, str]:
