@@ -324,12 +324,12 @@
             <translation>häl {heel}, mellanfot {midfoot}, huvud 1–5: {heads}, stortå {hallux}, tår {toes}</translation>
         </message>
         <message>
-            <source>no pressure, or cannot tell</source>
-            <translation>inget tryck, eller kan inte säga</translation>
-        </message>
-        <message>
             <source>no target</source>
             <translation>inget mål</translation>
+        </message>
+        <message>
+            <source>nothing told</source>
+            <translation>inget sägs</translation>
         </message>
         <message>
             <source>per inch</source>

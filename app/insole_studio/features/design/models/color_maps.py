@@ -254,7 +254,7 @@ class LoadedVertices:
             signed=True,
             unit="%",
             is_clipped=True,
-            missing=tr("no pressure, or cannot tell"),
+            missing=tr("nothing told"),
         )
 
 
