@@ -52,6 +52,10 @@ _TOO_UNSURE = Message("What is not known of the foot changes it too much.")
 _APART = tuple(name for name in GROUPS if name != "metatarsal_heads")
 """Regions of which every place of a sole is in one at most."""
 _AT_HEADS = frozenset({"metatarsal_heads", *HEADS})
+_AT_PUSH_OFF = {
+    "toes": Message("Toes bend at push-off, and the model does not bend them."),
+    "heel": Message("At push-off the heel leaves the ground."),
+}
 _UNEVEN_MM = 2.0
 """Where the insole gets another form under the heads, and always at push-off, the model fails on
 published series of domes, bars and covers: see the page."""
@@ -256,22 +260,39 @@ class Change:
 
     def reason(self, name: str) -> Message:
         """Return why nothing can be told of one of `GROUPS`, or an empty text."""
-        posture = self.loading.posture
         if name == "toes" and not self.sole.has_toes:
             return Message("The scan does not show the toes.")
-        if name == "toes" and posture is Posture.PUSH_OFF:
-            return Message("Toes bend at push-off, and the model does not bend them.")
+        return self._not_modelled(name) or self._not_compared(name)
+
+    def _not_modelled(self, name: str) -> Message:
+        """Return what the model leaves out that counts in a region, or an empty text."""
+        pushes = self.loading.posture is Posture.PUSH_OFF
+        if pushes and name in _AT_PUSH_OFF:
+            return _AT_PUSH_OFF[name]
         if name in _AT_HEADS and (
-            posture is Posture.PUSH_OFF
-            or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
+            pushes or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
         ):
             return Message(
                 "The model does not always meet published series here, measured in walking; of "
                 "some pads and bars not even the direction is right."
             )
+        return _NONE
+
+    def _not_compared(self, name: str) -> Message:
+        """Return why pressures of a region say nothing beside each other, or an empty text."""
         if self._densified[inside(self.sole, name)].any():
             return Message("The insole is too thin there: it is compressed by more than half.")
-        return _NOT_LOADED if self.peaks_kpa(name)[0] < LOADED_KPA else _NONE
+        old, new = self.peaks_kpa(name)
+        if old < LOADED_KPA:
+            return _NOT_LOADED
+        if new < old and self._is_newly_pressed(name):
+            return Message("The most pressed place is now one where nothing pressed before.")
+        return _NONE
+
+    def _is_newly_pressed(self, name: str) -> bool:
+        """Return whether the greatest pressure of a region moves to where nothing pressed."""
+        here = inside(self.sole, name)
+        return bool(self.old_kpa[here][self.new_kpa[here].argmax()] < LOADED_KPA)
 
     def reason_at(self, xy: Place) -> Message:
         """Return why nothing can be told of the region that holds a place, or an empty text."""

@@ -34,6 +34,19 @@ class DoseCurve:
     doses_mm: tuple[float, ...]
     percents: tuple[float, ...]
 
+    @property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest change of all doses."""
+        return min(self.percents), max(self.percents)
+
+    def is_within(self, told: Told) -> bool:
+        """Return whether the doses differ by less than what is told of one of them is sure to."""
+        if told.limits is None:
+            return False
+        low, high = told.limits
+        least, greatest = self.span
+        return greatest - least < (high - low) / 2
+
     def reaching(self, percent: float) -> float | None:
         """Return the smallest dose with a change; None if no dose of the curve has it."""
         for (low, before), (high, after) in pairwise(

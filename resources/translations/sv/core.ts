@@ -492,6 +492,10 @@
             <translation>Minst tre punkter behövs för att lägga ett koordinatsystem i ett annat, men bara {count} gavs.</translation>
         </message>
         <message>
+            <source>At push-off the heel leaves the ground.</source>
+            <translation>Vid frånskjut lämnar hälen underlaget.</translation>
+        </message>
+        <message>
             <source>At the heads</source>
             <translation>Vid huvudena</translation>
         </message>
@@ -3678,6 +3682,10 @@
         <message>
             <source>The model needs walls at {count} clearly different distances; capture more, for example at 600, 800 and 1000 mm.</source>
             <translation>Modellen behöver väggar på {count} tydligt olika avstånd; ta fler, till exempel på 600, 800 och 1000 mm.</translation>
+        </message>
+        <message>
+            <source>The most pressed place is now one where nothing pressed before.</source>
+            <translation>Den mest tryckta platsen är nu en där inget tryckte förut.</translation>
         </message>
         <message>
             <source>The name or the password is wrong; try again, or ask the administrator for another password.</source>

@@ -152,8 +152,12 @@
             <translation>Flyttar den längs foten; &gt; 0 är mot tårna</translation>
         </message>
         <message>
-            <source>No height of the pad that was tried reaches this change.</source>
-            <translation>Ingen prövad höjd på pelotten når den ändringen.</translation>
+            <source>No height can be told: {reason}</source>
+            <translation>Ingen höjd kan sägas: {reason}</translation>
+        </message>
+        <message>
+            <source>No height of the pad that was tried reaches it: it makes {low} to {high}.</source>
+            <translation>Ingen prövad höjd på pelotten når dit: den ger {low} till {high}.</translation>
         </message>
         <message>
             <source>Not known</source>
@@ -278,6 +282,10 @@
         <message>
             <source>The design has no pad whose height could be varied.</source>
             <translation>Designen har ingen pelott vars höjd kunde varieras.</translation>
+        </message>
+        <message>
+            <source>The height of this pad hardly matters there: it makes {low} to {high}.</source>
+            <translation>Pelottens höjd betyder knappt något där: den ger {low} till {high}.</translation>
         </message>
         <message>
             <source>Turn the map</source>

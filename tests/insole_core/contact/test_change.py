@@ -200,6 +200,7 @@ def test_a_place_has_the_reason_of_its_region_and_no_colour(sole: Sole) -> None:
     at_head, off_the_foot = told.points
     assert at_head.reason == told.regions["head_2"].reason != ""
     assert off_the_foot.reason
+    assert "leaves the ground" in told.regions["heel"].reason
     change = told.change  # and as much during a drag, without limits
     assert set(change.untold) <= set(told.cannot_tell)
     assert "head_2" in change.untold
@@ -207,6 +208,16 @@ def test_a_place_has_the_reason_of_its_region_and_no_colour(sole: Sole) -> None:
     assert pressed.any()
     assert np.isnan(change.shown_percent(change.untold)[pressed]).all()
     assert np.isfinite(change.shown_percent(())[pressed]).all()
+
+
+def test_a_lower_peak_where_nothing_pressed_before_is_no_relief(from_flat: Change) -> None:
+    midfoot = inside(from_flat.sole, "midfoot")
+    rows = np.nonzero(midfoot.any(axis=1))[0]
+    front, back = np.zeros(midfoot.shape), np.zeros(midfoot.shape)
+    front[rows[-4:]], back[rows[:4]] = 0.1, 0.05
+    old, new = (replace(from_flat.old, mpa=mpa * midfoot) for mpa in (front, back))
+    assert "where nothing pressed before" in replace(from_flat, old=old, new=new).reason("midfoot")
+    assert not replace(from_flat, old=old, new=replace(old, mpa=old.mpa / 2)).reason("midfoot")
 
 
 def test_where_a_foot_cannot_stand_as_it_may_nothing_is_told(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from insole_core.contact.change import Assumptions, Loading, changed
+from insole_core.contact.change import Assumptions, Loading, Told, changed
 from insole_core.contact.designs import Shoe
 from insole_core.contact.dose import DoseCurve, dose_curve, dosed
 from insole_core.contact.hardness import foam
@@ -21,6 +21,13 @@ def test_the_dose_of_a_target_lies_on_the_curve() -> None:
     assert curve.reaching(-10.0) == pytest.approx(2.0)
     assert curve.reaching(-50.0) is None
     assert curve.reaching(10.0) is None
+
+
+def test_a_pad_whose_doses_differ_by_less_than_one_is_sure_to_has_none() -> None:
+    curve = DoseCurve((0.0, 2.0, 4.0), (-20.0, -22.0, -21.0))
+    assert curve.span == (-22.0, -20.0)
+    for limits, is_within in (((-24.0, -16.0), True), ((-22.5, -21.0), False), (None, False)):
+        assert curve.is_within(Told(-22.0, limits)) is is_within
 
 
 @pytest.mark.parametrize("height_mm", [4.0, -4.0])

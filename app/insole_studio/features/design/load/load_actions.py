@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from insole_core.contact.change import PressureChange
 from insole_core.contact.change_report import REGION_WORDS
-from insole_core.contact.dose import Dose
+from insole_core.contact.dose import Dose, DoseCurve
 from insole_core.contact.fit import Fitted
 from insole_core.insole.elements import Pelott
 from insole_studio.document.load_view import LoadView, Target
@@ -104,16 +104,30 @@ class LoadActions:
         """Say which dose of the pad reaches the target, and show the curve."""
         design, target = self._case.record.design, self._load.target
         curve = None if target is None else self._load.curve
-        dialog.chart.show_curve(curve, dialog.percent.value())
+        untold = self._untold(target)
+        dialog.chart.show_curve(None if untold else curve, dialog.percent.value())
         pad = None if target is None or design is None else design.found(target.pad_id, Pelott)
         if design is not None and dialog.region.currentData() and not design.of(Pelott):
             dialog.dose.say(tr("The design has no pad whose height could be varied."))
         elif curve is None or target is None or pad is None:
             dialog.dose.say("")
+        elif untold:
+            dialog.dose.say(fill(tr("No height can be told: {reason}"), reason=untold))
         elif self._load.dose is None:
-            dialog.dose.say(tr("No height of the pad that was tried reaches this change."))
+            text = tr("No height of the pad that was tried reaches it: it makes {low} to {high}.")
+            dialog.dose.say(_span_text(text, curve))
+        elif curve.is_within(self._load.dose.told):
+            text = tr("The height of this pad hardly matters there: it makes {low} to {high}.")
+            dialog.dose.say(_span_text(text, curve))
         else:
             dialog.dose.say(_dose_text(self._load.dose, name_of(pad), target.percent))
+
+    def _untold(self, target: Target | None) -> str:
+        """Return why nothing is told of the region that is aimed at, or an empty text."""
+        limits = self._load.limits
+        if target is None or limits is None:
+            return ""
+        return translate_core_message(limits.regions[target.region].reason)
 
     def _close(self) -> None:
         self._dialog = None
@@ -190,6 +204,12 @@ def _fit_text(fitted: Fitted | None) -> str:
         error=error,
         names=names,
     )
+
+
+def _span_text(text: str, curve: DoseCurve) -> str:
+    """Return a sentence with the changes that the heights of a curve make."""
+    low, high = map(_signed, curve.span)
+    return fill(text, low=low, high=high)
 
 
 def _dose_text(dose: Dose, pad: str, percent: float) -> str:
