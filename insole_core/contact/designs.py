@@ -9,6 +9,7 @@ from insole_core.contact.elastic_layers import Layer
 from insole_core.contact.hardness import USUAL_SHORE_A, body_of
 from insole_core.contact.stance import Ground, Sole, insole_on_floor, shoe_floor
 from insole_core.insole.build import BaseStep, build_insole
+from insole_core.insole.elements import HeelLift, Posting
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import MaterialTable
@@ -24,6 +25,12 @@ _NO_MATERIAL = (
 _LAYERS = Message(
     "A design does not say what its separate layers are made of; they are taken for the material "
     "of the rest, and the limits allow for half and twice its stiffness."
+)
+_NO_JOINTS = Message(
+    "A posting only changes how the sole meets the insole here: no joint turns in the model."
+)
+_NO_SHIFT = Message(
+    "The load that a heel lift moves forwards is not shown: its centre stays where it usually is."
 )
 
 
@@ -116,3 +123,10 @@ def _has_unnamed_layers(layers: Layers) -> bool:
             (layers.base_mm, layers.base_material),
         )
     )
+
+
+def left_out_of(*designs: InsoleDesign | None) -> tuple[Message, ...]:
+    """Return what the model leaves out of what is prescribed; none if that changes little."""
+    given = [design for design in designs if design is not None]
+    left_out = ((Posting, _NO_JOINTS), (HeelLift, _NO_SHIFT))
+    return tuple(note for element, note in left_out if any(one.of(element) for one in given))

@@ -83,6 +83,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     _check(arguments)
     from insole_core.contact.change import SENTENCE
     from insole_core.contact.change_report import change_report
+    from insole_core.contact.designs import left_out_of
     from insole_core.files.atomic import write_text
     from insole_core.files.transaction import Transaction
 
@@ -93,7 +94,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         reading = progress.part(0.0, 0.7)
         foot = foot_argument.read_foot(arguments.foot, new.side, arguments, reading)
         of_sole = _loading(foot, arguments).sole.notes or of_weight
-        notes = [*of_sole, *_shoe(arguments).assumed(new, old)]
+        notes = [*of_sole, *_shoe(arguments).assumed(new, old), *left_out_of(new, old)]
         fitted = _fitted(foot, arguments, progress.part(0.7, 0.8))
         told = _changed(foot, (new, old), fitted, arguments, progress.part(0.8, 1.0))
         for note in notes:

@@ -17,7 +17,7 @@ from insole_core.contact.change import (
     pressure_change,
 )
 from insole_core.contact.change_report import change_lines
-from insole_core.contact.designs import Shoe
+from insole_core.contact.designs import Shoe, left_out_of
 from insole_core.contact.dose import Dose, DoseCurve, dose_curve, dosed, with_dose
 from insole_core.contact.fit import Fitted, fit_tissue
 from insole_core.contact.load_case import Posture
@@ -216,6 +216,8 @@ class LoadView(QObject):
         self.change: Change | None = None
         self.limits: PressureChange | None = None
         """None while they are computed."""
+        self._untold: tuple[str, ...] = ()
+        """Regions of which nothing could be told when the hand last rested."""
         self.limits_beside: PressureChange | None = None
         """Of the variant beside; None where there is none, and while they are computed."""
         self.curve: DoseCurve | None = None
@@ -287,8 +289,9 @@ class LoadView(QObject):
             of_sole = self.change.sole.notes
             of_weight = () if of_sole else notes_of_weight(record.source.said_weight)
             of_foot = *of_sole, *of_weight
-        shoe = Shoe(self._materials.table)
-        return *of_foot, *shoe.assumed(self._case.shown.design, self._old_design())
+        designs = self._case.shown.design, self._old_design()
+        of_designs = *Shoe(self._materials.table).assumed(*designs), *left_out_of(*designs)
+        return *of_foot, *of_designs
 
     @property
     def fitted(self) -> Fitted | None:
@@ -306,10 +309,14 @@ class LoadView(QObject):
         return None if found is None or found.task.beside != design else found.beside
 
     def untold_of(self, change: Change) -> tuple[str, ...]:
-        """Return the regions that have no colour, as nothing can be told of them."""
+        """Return the regions that have no colour, as nothing can be told of them.
+
+        Until limits are there, those stay without that had none: nobody shall aim by colours
+        that go once the hand rests.
+        """
         known = (self.limits, self.limits_beside)
         told = next((one for one in known if one is not None and one.change is change), None)
-        return change.untold if told is None else told.cannot_tell
+        return (*change.untold, *self._untold) if told is None else told.cannot_tell
 
     def _refresh(self) -> None:
         task = self._task()
@@ -423,6 +430,7 @@ class LoadView(QObject):
 
         def take(told: tuple[PressureChange, PressureChange | None]) -> None:
             self.limits, self.limits_beside = told
+            self._untold = self.limits.cannot_tell
             self._limited = found
             self._note_for_papers()
             self.changed.emit()
@@ -479,7 +487,7 @@ class LoadView(QObject):
     def _drop(self) -> None:
         """Show nothing, and let nothing that is computed arrive."""
         self._jobs.cancel(CHANNEL)
-        self._is_computing = False
+        self._is_computing, self._untold = False, ()
         self._show(None)
 
     def _show(self, found: _Found | None, problem: str = "") -> None:

@@ -232,6 +232,10 @@
             <translation>En punkt är märkt utanför djupbilden på {width}×{height}; rätta dess bildpunkt.</translation>
         </message>
         <message>
+            <source>A posting only changes how the sole meets the insole here: no joint turns in the model.</source>
+            <translation>En kilning ändrar här bara hur sulan möter inlägget: ingen led vrids i modellen.</translation>
+        </message>
+        <message>
             <source>A recipient of backups is named by its public key of age; give it as age1… .</source>
             <translation>En mottagare av säkerhetskopior anges med sin öppna age-nyckel; ange den som age1… .</translation>
         </message>
@@ -3638,6 +3642,10 @@
         <message>
             <source>The limit "{key}" has no number to judge in this evaluation; take it out, or use one of {known}.</source>
             <translation>Gränsen ”{key}” har inget tal att bedöma i denna utvärdering; ta bort den, eller använd en av {known}.</translation>
+        </message>
+        <message>
+            <source>The load that a heel lift moves forwards is not shown: its centre stays where it usually is.</source>
+            <translation>Den belastning som en hälhöjning flyttar framåt visas inte: dess mitt stannar där den brukar vara.</translation>
         </message>
         <message>
             <source>The manual is missing from this installation; install Insole Studio again, or in its source, run make manual.</source>

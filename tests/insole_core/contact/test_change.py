@@ -18,7 +18,7 @@ from insole_core.contact.change import (
     inside,
     pressure_change,
 )
-from insole_core.contact.designs import Shoe
+from insole_core.contact.designs import Shoe, left_out_of
 from insole_core.contact.elastic_layers import uniform_compliance
 from insole_core.contact.hardness import body_of, foam, modulus_of_shore_a
 from insole_core.contact.load_case import Posture
@@ -34,7 +34,7 @@ from insole_core.contact.stance import (
 from insole_core.errors import DesignError, InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import find_landmarks
-from insole_core.insole.elements import Pelott
+from insole_core.insole.elements import HeelLift, Pelott, Posting
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.layers import Layers
 from insole_core.insole.prescription.materials import Material, MaterialTable, read_materials
@@ -331,6 +331,18 @@ def test_materials_give_way_by_their_hardness_or_not_at_all() -> None:
     for unknown in ("TPU, printed", "felt"):
         with pytest.raises(DesignError, match="hardness"):
             body_of(unknown, table)
+
+
+def test_what_the_model_leaves_out_of_postings_and_lifts_is_told(sole: Sole) -> None:
+    plain = padded(sole.foot, 4.0)
+    posted = replace(plain, corrections=(*plain.corrections, Posting(rearfoot_deg=4.0)))
+    lifted = replace(plain, corrections=(HeelLift(height_mm=6.0),))
+    assert left_out_of(plain, None) == ()
+    (of_posting,) = left_out_of(posted)
+    assert "no joint turns" in of_posting
+    both = left_out_of(lifted, posted)
+    assert both[0] == of_posting
+    assert "heel lift" in both[1]
 
 
 def test_a_stiff_shell_is_as_hard_as_a_floor_of_its_form(sole: Sole) -> None:

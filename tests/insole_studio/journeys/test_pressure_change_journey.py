@@ -81,6 +81,9 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     assert app.window.actions_by_key["map_load"].isChecked()
 
     before = load.change
+    assert load.limits is not None
+    untold = set(load.limits.cannot_tell)
+    assert untold > set(before.untold)  # of some it is found by the limits alone
     (pad,) = app.case.record.design.of(Pelott)
     higher = app.case.record.design.with_changed(replace(pad, height_mm=pad.height_mm + 3))
     app.case.preview(higher)  # as at a drag
@@ -88,6 +91,7 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     assert load.change.old is before.old
     settle()
     assert load.limits is None  # only once the hand rests
+    assert set(load.untold_of(load.change)) >= untold  # and none aims by what will be grey then
     assert {row.cells[1] for row in dialog.table.rows} == {"…"}
     apex = np.array(pad.centre_mm)
     pressed = [
