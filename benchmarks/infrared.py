@@ -38,6 +38,7 @@ from insole_core.geometry.arrays import FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.reconstruct import Reconstruction, reconstruct
+from insole_core.reconstruct.views.infrared_pictures import doubted
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import DotPictures, Session, View
 from insole_core.recording.writer import write_session
@@ -66,7 +67,6 @@ _SOURCES = (
     ("dupontgu/right_foot.stl", Side.RIGHT, (0.94, 0.97, 1.08), True),
     ("focus_template/template.obj", Side.LEFT, (1.05, 0.96, 1.0), False),
 )
-_DOUBTS = ("because bright light outshines", "because noise covers")
 _PRODUCT = ("calibration/infrared", "reconstruct", "sensing")
 
 
@@ -160,8 +160,8 @@ def compared(captured: Captured) -> Compared:
 
 def _doubts(made: Reconstruction) -> Doubts:
     uses = made.infrared.values()
-    told = [one for one in made.warnings if any(reason in one for reason in _DOUBTS)]
-    return Doubts([use.bright for use in uses], [use.noisy for use in uses], len(told))
+    told = sum(map(len, doubted(made.infrared).values()))
+    return Doubts([use.bright for use in uses], [use.noisy for use in uses], told)
 
 
 def _product() -> str:

@@ -188,9 +188,8 @@ def _reference(store: Store, folder: str, root: JsonObject) -> tuple[str, Infrar
     """Return the place of the pattern that a view names, and the pattern."""
     if not root.has("infrared_reference"):
         raise InputError(
-            "{folder} holds infrared pictures, but no pattern of dots of its sensor; learn it by "
-            "calibrate infrared --keep, and put it in by calibrate session.",
-            folder=store.place(folder),
+            "no pattern of dots of the sensor lies beside the infrared pictures; learn it by "
+            "calibrate infrared --keep, and put it in by calibrate session."
         )
     place = f"{folder}/{file_beside(root, 'infrared_reference')}"
     if place not in store.names():

@@ -192,11 +192,11 @@ def check_picture(mean: FloatArray, saturated_share: float = _SATURATED_SHARE) -
     """
     if (mean >= GREATEST).mean() > saturated_share:
         raise InputError(
-            "its infrared pictures are saturated; lower their brightness, or keep sunlight off the "
+            "the infrared pictures are saturated; lower their brightness, or keep sunlight off the "
             "foot."
         )
     if np.percentile(mean, 99) < _BLACK:
-        raise InputError("its infrared pictures are black; see that the emitter is on.")
+        raise InputError("the infrared pictures are black; see that the emitter is on.")
 
 
 def distorted(raw: FloatArray, correction: DisparityCorrection) -> FloatArray:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from insole_core.errors import InputError
-from insole_core.messages import Message
+from insole_core.messages import Message, joined
 from insole_core.reconstruct.fusion.infrared_evidence import InfraredView
 from insole_core.reconstruct.fusion.infrared_surface import InfraredUse
 from insole_core.reconstruct.views.infrared_pair import pair_of, pair_view
@@ -18,14 +18,14 @@ _TOLD_SHARE = 0.9
 _TOLD_BRIGHT, _TOLD_NOISY = 0.13, 0.4
 """Of undisturbed views up to 0.05 is bright and 0.3 noisy; in sunlight 0.21 or more is bright."""
 _BRIGHT = (
-    "View {view}: on {share:.0%} of the foot its infrared pictures were hardly trusted, because "
-    "bright light outshines the dots, and the deviation stated there is larger; keep sunlight and "
-    "lamps off the foot."
+    "Bright light outshines the dots in the infrared pictures, so they were hardly trusted on part "
+    "of the foot ({shares}), and the deviation stated there is larger; keep sunlight and lamps off "
+    "the foot."
 )
 _NOISY = (
-    "View {view}: on {share:.0%} of the foot its infrared pictures were trusted less, because "
-    "noise covers the dots, and the deviation stated there is larger; see that emitter and lens "
-    "are clean and the skin is dry and matt, and move the sensor nearer."
+    "Noise covers the dots in the infrared pictures, so they were trusted less on part of the foot "
+    "({shares}), and the deviation stated there is larger; see that emitter and lens are clean and "
+    "the skin is dry and matt, and move the sensor nearer."
 )
 _MOVED = (
     "View {view}: the foot moved a little between its depth and its infrared pictures: depth "
@@ -89,11 +89,16 @@ def unused_pictures(
     Returns
     -------
     list of Message
-        A sentence each.
+        A sentence for each reason.
     """
+    views: dict[str, list[str]] = {}
+    for name in sorted(faults):
+        views.setdefault(faults[name], []).append(name)
     told = [
-        Message("View {view}: {warning}", view=name, warning=fault)
-        for name, fault in faults.items()
+        Message("View {view}: {warning}", view=names[0], warning=fault)
+        if len(names) == 1
+        else Message("Views {views}: {warning}", views=joined(names), warning=fault)
+        for fault, names in views.items()
     ]
     told += [
         Message(
@@ -138,9 +143,14 @@ def infrared_warnings(
         if use.used and use.share < _TOLD_SHARE
     ]
     told += [
-        Message(doubt[0], view=name, share=doubt[1])
-        for name, use in infrared.items()
-        if use.used and (doubt := _doubt(use))
+        Message(
+            sentence,
+            shares=joined(
+                Message("{view} {share:.0%}", view=name, share=share)
+                for name, share in shares.items()
+            ),
+        )
+        for sentence, shares in doubted(infrared).items()
     ]
     told += [
         Message(
@@ -153,6 +163,26 @@ def infrared_warnings(
         if use.used and (sentence := _why_off(use))
     ]
     return told
+
+
+def doubted(infrared: Mapping[str, InfraredUse]) -> dict[str, dict[str, float]]:
+    """Find the views whose pictures are disturbed enough to be told.
+
+    Parameters
+    ----------
+    infrared
+        As of `by_infrared`.
+
+    Returns
+    -------
+    dict of dict of float
+        On which share of the foot, by the sentence that tells it and the view's name.
+    """
+    found: dict[str, dict[str, float]] = {}
+    for name, use in infrared.items():
+        if use.used and (doubt := _doubt(use)):
+            found.setdefault(doubt[0], {})[name] = doubt[1]
+    return found
 
 
 def _doubt(use: InfraredUse) -> tuple[str, float] | None:

@@ -604,6 +604,10 @@
             <translation>Bredd över vilken pelotten löper ut; en andel av dess storlek om den utelämnas</translation>
         </message>
         <message>
+            <source>Bright light outshines the dots in the infrared pictures, so they were hardly trusted on part of the foot ({shares}), and the deviation stated there is larger; keep sunlight and lamps off the foot.</source>
+            <translation>Starkt ljus överstrålar punkterna i de infraröda bilderna, så de var knappt att lita på på en del av foten ({shares}), och den angivna avvikelsen där är större; håll solljus och lampor borta från foten.</translation>
+        </message>
+        <message>
             <source>Brush</source>
             <translation>Pensel</translation>
         </message>
@@ -2086,6 +2090,10 @@
         <message>
             <source>Nobody has the pseudonym {pseudonym}; it stands on the patient's page and on papers for the shop.</source>
             <translation>Ingen har pseudonymen {pseudonym}; den står på patientens sida och på papper till verkstaden.</translation>
+        </message>
+        <message>
+            <source>Noise covers the dots in the infrared pictures, so they were trusted less on part of the foot ({shares}), and the deviation stated there is larger; see that emitter and lens are clean and the skin is dry and matt, and move the sensor nearer.</source>
+            <translation>Brus döljer punkterna i de infraröda bilderna, så de var mindre att lita på på en del av foten ({shares}), och den angivna avvikelsen där är större; se till att projektor och lins är rena och huden torr och matt, och flytta sensorn närmare.</translation>
         </message>
         <message>
             <source>None of the {count} pictures can be used: {reason}</source>
@@ -4896,20 +4904,16 @@
             <translation>Vy {view}: dess infraröda bilder var att lita på på {share:.0%} av foten; på resten användes sensorns eget djup.</translation>
         </message>
         <message>
-            <source>View {view}: on {share:.0%} of the foot its infrared pictures were hardly trusted, because bright light outshines the dots, and the deviation stated there is larger; keep sunlight and lamps off the foot.</source>
-            <translation>Vy {view}: på {share:.0%} av foten var dess infraröda bilder knappt att lita på, eftersom starkt ljus överstrålar punkterna, och den angivna avvikelsen där är större; håll solljus och lampor borta från foten.</translation>
-        </message>
-        <message>
-            <source>View {view}: on {share:.0%} of the foot its infrared pictures were trusted less, because noise covers the dots, and the deviation stated there is larger; see that emitter and lens are clean and the skin is dry and matt, and move the sensor nearer.</source>
-            <translation>Vy {view}: på {share:.0%} av foten var dess infraröda bilder mindre att lita på, eftersom brus döljer punkterna, och den angivna avvikelsen där är större; se till att projektor och lins är rena och huden torr och matt, och flytta sensorn närmare.</translation>
-        </message>
-        <message>
             <source>View {view}: the foot moved a little between its depth and its infrared pictures: depth changed by {moved:.2f} px. Hold the foot still, and take the view again.</source>
             <translation>Vy {view}: foten rörde sig lite mellan vyns djup och dess infraröda bilder: djupet ändrades {moved:.2f} px. Håll foten stilla och ta vyn igen.</translation>
         </message>
         <message>
             <source>View {view}: {warning}</source>
             <translation>Vyn {view}: {warning}</translation>
+        </message>
+        <message>
+            <source>Views {views}: {warning}</source>
+            <translation>Vyerna {views}: {warning}</translation>
         </message>
         <message>
             <source>Visit</source>
@@ -6704,14 +6708,6 @@
             <translation>hälen mot y = 0</translation>
         </message>
         <message>
-            <source>its infrared pictures are black; see that the emitter is on.</source>
-            <translation>dess infraröda bilder är svarta; se till att strålaren är på.</translation>
-        </message>
-        <message>
-            <source>its infrared pictures are saturated; lower their brightness, or keep sunlight off the foot.</source>
-            <translation>dess infraröda bilder är mättade; sänk deras ljusstyrka, eller håll solljus borta från foten.</translation>
-        </message>
-        <message>
             <source>its length of {length:g} mm along {along}, its width of {width:g} mm along {across}</source>
             <translation>längden {length:g} mm längs {along}, bredden {width:g} mm längs {across}</translation>
         </message>
@@ -7314,6 +7310,10 @@
         <message>
             <source>no length between two of its markers was given; measure one by hand.</source>
             <translation>ingen längd mellan två av dess markörer angavs; mät en för hand.</translation>
+        </message>
+        <message>
+            <source>no pattern of dots of the sensor lies beside the infrared pictures; learn it by calibrate infrared --keep, and put it in by calibrate session.</source>
+            <translation>inget punktmönster för sensorn ligger bredvid de infraröda bilderna; lär in det med calibrate infrared --keep och lägg in det med calibrate session.</translation>
         </message>
         <message>
             <source>no sensor is calibrated on this computer</source>
@@ -8208,6 +8208,14 @@
             <translation>hälen eller tårna skannades inte, eller ingen sko för vuxna är så lång</translation>
         </message>
         <message>
+            <source>the infrared pictures are black; see that the emitter is on.</source>
+            <translation>de infraröda bilderna är svarta; se till att strålaren är på.</translation>
+        </message>
+        <message>
+            <source>the infrared pictures are saturated; lower their brightness, or keep sunlight off the foot.</source>
+            <translation>de infraröda bilderna är mättade; sänk deras ljusstyrka, eller håll solljus borta från foten.</translation>
+        </message>
+        <message>
             <source>the key "{twice}" stands twice in one object; keep one.</source>
             <translation>nyckeln ”{twice}” står två gånger i ett objekt; behåll en.</translation>
         </message>
@@ -9070,10 +9078,6 @@
         <message>
             <source>{folder} holds colour pictures ({picture}) beside the depth images, as of a board for depth to colour; name the folder with the captures of flat, empty walls.</source>
             <translation>{folder} innehåller färgbilder ({picture}) bredvid djupbilderna, som av ett bräde för djup till färg; ange mappen med bilderna av plana, tomma väggar.</translation>
-        </message>
-        <message>
-            <source>{folder} holds infrared pictures, but no pattern of dots of its sensor; learn it by calibrate infrared --keep, and put it in by calibrate session.</source>
-            <translation>{folder} innehåller infraröda bilder, men inget punktmönster för dess sensor; lär in det med calibrate infrared --keep, och lägg in det med calibrate session.</translation>
         </message>
         <message>
             <source>{folder} holds more than {most} cases; choose the folders in it one by one.</source>
@@ -10434,6 +10438,10 @@
         <message>
             <source>{view} is left out: {reason}.</source>
             <translation>{view} utelämnas: {reason}.</translation>
+        </message>
+        <message>
+            <source>{view} {share:.0%}</source>
+            <translation>{view} {share:.0%}</translation>
         </message>
         <message>
             <source>{volume:.1f} cm³</source>

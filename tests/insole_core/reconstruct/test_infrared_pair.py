@@ -75,9 +75,9 @@ def test_the_right_picture_is_what_the_left_one_shows_at_the_disparity(
 
 def test_black_or_saturated_pictures_are_told(pair: tuple[RawArray, RawArray]) -> None:
     left, right = pair
-    with pytest.raises(InputError, match="its infrared pictures are black"):
+    with pytest.raises(InputError, match="the infrared pictures are black"):
         infrared_view(view(left, np.zeros_like(right)))
-    with pytest.raises(InputError, match="its infrared pictures are saturated"):
+    with pytest.raises(InputError, match="the infrared pictures are saturated"):
         infrared_view(view(np.full_like(left, 255), right))
 
 

@@ -165,8 +165,8 @@ def taken(
         (0, 300, ""),
         (1, 300, ""),
         (2, 300, "Something moved between depth and infrared of view left, so its infrared"),
-        (0, 5, "View left: its infrared pictures are black; see that the emitter is on. The"),
-        (0, 1023, "View left: its infrared pictures are saturated; lower their brightness"),
+        (0, 5, "View left: the infrared pictures are black; see that the emitter is on. The"),
+        (0, 1023, "View left: the infrared pictures are saturated; lower their brightness"),
     ],
 )
 def test_movement_and_pictures_without_dots_are_told(
