@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from enum import IntEnum
 from functools import cached_property
 
 import numpy as np
@@ -14,7 +15,7 @@ from insole_core.contact.pressing import Pressed
 from insole_core.contact.stance import Ground, Sole, stand
 from insole_core.contact.tissue import Tissue
 from insole_core.errors import InputError
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.insole.fields import Place, Range
 from insole_core.messages import Message
 from insole_core.pressure.laid_map import LOADED_KPA
@@ -64,6 +65,19 @@ _VARIED = 8
 """Number of the assumptions that are varied."""
 _DENSE = 0.5
 """Strain from which on foams are stiffer than they are taken to be."""
+
+
+class Shown(IntEnum):
+    """What the colour of a place says."""
+
+    PERCENT = 0
+    """How the pressure changes."""
+    NEWLY = 1
+    """Something presses now, and nothing did before."""
+    IDLE = 2
+    """Nothing presses, before or after."""
+    UNTOLD = 3
+    """Something presses, and nothing can be told of its region."""
 
 
 @dataclass(frozen=True)
@@ -213,22 +227,31 @@ class Change:
             return np.where(told, 100 * (self.new_kpa / self.old_kpa - 1), np.nan)
 
     @cached_property
+    def reasons(self) -> dict[str, Message]:
+        """Why nothing can be told of some of `GROUPS`, as far as this change says it."""
+        found = {name: self.reason(name) for name in GROUPS}
+        return {name: reason for name, reason in found.items() if reason}
+
+    @property
     def untold(self) -> tuple[str, ...]:
         """Names of the regions of which nothing can be told, as far as this change says it."""
-        return tuple(name for name in GROUPS if self.reason(name))
+        return tuple(self.reasons)
 
-    def shown_percent(self, untold: Collection[str]) -> FloatArray:
-        """(ny, nx) change to be painted: that of what is newly pressed is as large as can be.
+    def shown(self, untold: Collection[str]) -> IntArray:
+        """(ny, nx) what is to be painted, as numbers of `Shown`.
 
         Parameters
         ----------
         untold
-            Names of regions of which nothing is told, and which have no colour: NaN.
+            Names of regions of which nothing is told.
         """
-        newly = self.sole.known & np.isnan(self.percent) & (self.new_kpa >= LOADED_KPA)
-        shown = np.where(newly, MOST_SHOWN, np.clip(self.percent, -MOST_SHOWN, MOST_SHOWN))
+        presses = self.sole.known & (self.new_kpa >= LOADED_KPA)
+        shown = np.where(presses, Shown.NEWLY, Shown.IDLE)
+        shown[np.isfinite(self.percent)] = Shown.PERCENT
         for name in set(untold).intersection(_APART):
-            shown[inside(self.sole, name)] = np.nan
+            if self.reasons.get(name) is not _NOT_LOADED:  # else each place says it for itself
+                here = inside(self.sole, name)
+                shown[here & (shown != Shown.IDLE)] = Shown.UNTOLD
         return shown
 
     @property

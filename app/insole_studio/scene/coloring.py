@@ -29,6 +29,25 @@ _LABEL_ROOM_MM, _LABEL_GAP_MM = 5.0, 22.0
 """Least distance of a label from the rim and the lines of other levels, and from other labels."""
 
 
+@dataclass(frozen=True)
+class Swatch:
+    """A colour of a legend and what it means.
+
+    Parameters
+    ----------
+    text
+    color, stripe
+        As "#rrggbb"; striped with the second, so that it is known without its colour too.
+    is_slanted
+        Whether the stripes are, or else level.
+    """
+
+    text: str
+    color: str
+    stripe: str = ""
+    is_slanted: bool = True
+
+
 @dataclass(frozen=True, eq=False)
 class Coloring:
     """A colour map and the values it shows.
@@ -53,6 +72,8 @@ class Coloring:
         What it means that a value is NaN, for the legend; empty if it is not told there.
     painted : (n, 3) uint8, optional
         Colours to show in place of those of the map, such as a map over the skin.
+    swatches
+        What colours mean that are not in the map, for the legend.
     """
 
     values: FloatArray
@@ -64,6 +85,7 @@ class Coloring:
     is_clipped: bool = False
     missing: str = ""
     painted: npt.NDArray[np.uint8] | None = None
+    swatches: tuple[Swatch, ...] = ()
 
     @property
     def color_map(self) -> str:
@@ -80,11 +102,19 @@ class Coloring:
         return _SIGNED if self.signed else _VIRIDIS
 
 
-def map_colors(values: FloatArray, limits: tuple[float, float]) -> FloatArray:
+def map_colors(
+    values: FloatArray, limits: tuple[float, float], *, signed: bool = False
+) -> FloatArray:
     """Return the colours (n, 3), 0 to 255, of values (n,), as the legend of a map shows them."""
-    steps = np.array([[int(color[i : i + 2], 16) for i in (1, 3, 5)] for color in _VIRIDIS])
+    steps = np.array([rgb(color) for color in (_SIGNED if signed else _VIRIDIS)])
     share = (values - limits[0]) / (limits[1] - limits[0]) * (len(steps) - 1)
     return np.stack([np.interp(share, np.arange(len(steps)), steps[:, i]) for i in range(3)], 1)
+
+
+def rgb(color: str) -> tuple[int, int, int]:
+    """Return red, green and blue of "#rrggbb", 0 to 255."""
+    red, green, blue = (int(color[i : i + 2], 16) for i in (1, 3, 5))
+    return red, green, blue
 
 
 def on_display(

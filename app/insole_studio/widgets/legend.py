@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QLinearGradient, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
 
-from insole_studio.scene.coloring import MISSING, Coloring
+from insole_studio.scene.coloring import MISSING, Coloring, Swatch
 from insole_studio.texts import localised
 from insole_studio.widgets.layouts import FlowLayout, remove_widgets
 
@@ -118,34 +118,46 @@ class SwatchLegend(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._layout = FlowLayout(self, margin_px=0, gap_px=16)
-        self._shown: tuple[tuple[str, str], ...] = ()
+        self._shown: tuple[Swatch, ...] = ()
         self.hide()
 
     @property
     def texts(self) -> tuple[str, ...]:
         """The names that are shown."""
-        return tuple(text for _, text in self._shown)
+        return tuple(swatch.text for swatch in self._shown)
 
-    def show_swatches(self, swatches: Sequence[tuple[str, str]]) -> None:
-        """Show colours (as "#rrggbb") with their names; none hides the legend."""
+    def show_swatches(self, swatches: Sequence[Swatch]) -> None:
+        """Show colours with their names; none hides the legend."""
         if tuple(swatches) != self._shown:
             self._shown = tuple(swatches)
             remove_widgets(self._layout)
-            for color, text in self._shown:
-                self._layout.addWidget(_swatch(color, text))
+            for swatch in self._shown:
+                self._layout.addWidget(_swatch(swatch))
         self.setVisible(bool(self._shown))
 
 
-def _swatch(color: str, text: str) -> QWidget:
-    square, name, whole = QFrame(), QLabel(text), QWidget()
+def _swatch(swatch: Swatch) -> QWidget:
+    square, name, whole = QFrame(), QLabel(swatch.text), QWidget()
     square.setFixedSize(_SWATCH_PX, _SWATCH_PX)
-    square.setStyleSheet(f"background: {color}; border: 1px solid gray;")
+    square.setStyleSheet(f"background: {_brush(swatch)}; border: 1px solid gray;")
     row = QHBoxLayout(whole)
     row.setContentsMargins(0, 0, 0, 0)
     row.setSpacing(6)
     row.addWidget(square)
     row.addWidget(name)
     return whole
+
+
+def _brush(swatch: Swatch) -> str:
+    """Return the ground of a swatch as a style sheet says it."""
+    if not swatch.stripe:
+        return swatch.color
+    across = 0.5 if swatch.is_slanted else 0.0
+    return (
+        f"qlineargradient(spread:repeat, x1:0, y1:0, x2:{across}, y2:0.5, "
+        f"stop:0 {swatch.color}, stop:0.49 {swatch.color}, stop:0.5 {swatch.stripe}, "
+        f"stop:1 {swatch.stripe})"
+    )
 
 
 class ScaleBar(QWidget):

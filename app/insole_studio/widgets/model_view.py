@@ -27,7 +27,7 @@ from insole_studio.scene.scene_view import SceneView
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message, with_capital
 from insole_studio.widgets.empty_page import EmptyPage
-from insole_studio.widgets.legend import Legend, ScaleBar
+from insole_studio.widgets.legend import Legend, ScaleBar, SwatchLegend
 from insole_studio.widgets.side_switch import SideBadge
 
 MARGIN_PX = 8
@@ -59,7 +59,7 @@ class ModelView(QWidget):
         self.numbers.setWordWrap(True)
         self.numbers.hide()
         self._scale = ScaleBar()
-        self._legend = Legend()
+        self._legend, self._swatches = Legend(), SwatchLegend()
         self._empty = EmptyPage(self)  # without it, a window of its own would flash
         self._empty.chosen.connect(self.action_requested)
         self._pages = QStackedLayout()
@@ -72,6 +72,7 @@ class ModelView(QWidget):
         layout.addWidget(self._warning)
         layout.addWidget(self.numbers)
         layout.addLayout(self._pages, 1)
+        layout.addWidget(self._swatches)
         layout.addLayout(self._footer())
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
@@ -128,7 +129,7 @@ class ModelView(QWidget):
     def clear(self) -> None:
         """Let go of what the scene has shown."""
         self.scene.clear()
-        self._legend.show_coloring(None)
+        self._show_legend(None)
 
     def show_mesh(
         self,
@@ -145,7 +146,7 @@ class ModelView(QWidget):
             By default the mesh's own colours, or those of the material.
         """
         self._pages.setCurrentWidget(self.scene)
-        self._legend.show_coloring(coloring)
+        self._show_legend(coloring)
         self.scene.show_mesh(mesh, coloring)
         self.show_scale()
 
@@ -159,8 +160,12 @@ class ModelView(QWidget):
         """Move the vertices of the shown surface; see `Painter.move_surface`."""
         followed = self.scene.move_mesh(mesh, normals, moved, coloring)
         if followed:
-            self._legend.show_coloring(coloring)
+            self._show_legend(coloring)
         return followed
+
+    def _show_legend(self, coloring: Coloring | None) -> None:
+        self._legend.show_coloring(coloring)
+        self._swatches.show_swatches(() if coloring is None else coloring.swatches)
 
     def show_wireframe(self, shown: bool) -> None:
         """Show only the triangles' edges, or the whole surface."""

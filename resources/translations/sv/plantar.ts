@@ -332,8 +332,16 @@
             <translation>häl {heel}, mellanfot {midfoot}, huvud 1–5: {heads}, stortå {hallux}, tår {toes}</translation>
         </message>
         <message>
+            <source>newly pressed</source>
+            <translation>nytt tryck</translation>
+        </message>
+        <message>
             <source>no target</source>
             <translation>inget mål</translation>
+        </message>
+        <message>
+            <source>nothing presses</source>
+            <translation>inget trycker</translation>
         </message>
         <message>
             <source>nothing told</source>

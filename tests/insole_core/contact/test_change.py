@@ -14,6 +14,7 @@ from insole_core.contact.change import (
     Assumptions,
     Change,
     Loading,
+    Shown,
     changed,
     inside,
     pressure_change,
@@ -206,8 +207,33 @@ def test_a_place_has_the_reason_of_its_region_and_no_colour(sole: Sole) -> None:
     assert "head_2" in change.untold
     pressed = inside(sole, "head_2") & np.isfinite(change.percent)
     assert pressed.any()
-    assert np.isnan(change.shown_percent(change.untold)[pressed]).all()
-    assert np.isfinite(change.shown_percent(())[pressed]).all()
+    assert set(change.shown(change.untold)[pressed]) == {Shown.UNTOLD}
+    assert set(change.shown(())[pressed]) == {Shown.PERCENT}
+
+
+def test_a_place_that_is_newly_pressed_is_told_from_one_where_nothing_presses(
+    from_flat: Change,
+) -> None:
+    heel = inside(from_flat.sole, "heel")
+    rows = np.nonzero(heel.any(axis=1))[0]
+    back, front = np.zeros(heel.shape, dtype=bool), np.zeros(heel.shape, dtype=bool)
+    back[rows[: len(rows) // 3]], front[rows[-len(rows) // 3 :]] = True, True
+    old, new = (replace(from_flat.old, mpa=0.1 * (heel & part)) for part in (front, front | back))
+    change = replace(from_flat, old=old, new=new)
+    shown = change.shown(())
+    assert Shown.NEWLY in shown[heel & back]
+    assert Shown.PERCENT in shown[heel & front]
+    assert set(shown[~change.sole.known]) == {Shown.IDLE}
+    assert set(shown[inside(change.sole, "toes")]) == {Shown.IDLE}
+    untold = change.shown(("heel", "toes"))  # and nothing is hatched where nothing presses
+    assert set(untold[heel]) <= {Shown.UNTOLD, Shown.IDLE}
+    assert set(untold[inside(change.sole, "toes")]) == {Shown.IDLE}
+    assert np.array_equal(untold == Shown.IDLE, shown == Shown.IDLE)
+
+    # Where nothing of a region was pressed before, its places say so themselves.
+    all_new = replace(from_flat, old=replace(old, mpa=np.zeros_like(old.mpa)), new=new)
+    assert "heel" in all_new.untold
+    assert set(all_new.shown(all_new.untold)[heel]) <= {Shown.NEWLY, Shown.IDLE}
 
 
 def test_a_lower_peak_where_nothing_pressed_before_is_no_relief(from_flat: Change) -> None:

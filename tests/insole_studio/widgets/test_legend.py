@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
-from insole_studio.scene.coloring import MISSING, Coloring
-from insole_studio.widgets.legend import Legend
+from insole_studio.scene.coloring import MISSING, Coloring, Swatch
+from insole_studio.widgets.legend import Legend, SwatchLegend
 
 COLORING = Coloring(np.zeros(3), (0.0, 2.0), "Standard deviation of every vertex")
 
@@ -64,6 +64,30 @@ def test_other_values_on_the_same_scale_lay_nothing_out_anew(qtbot: QtBot) -> No
     legend.show_coloring(replace(COLORING, missing="not measured"))
     QApplication.processEvents()
     assert len(laid_out) > before
+
+
+def test_stripes_tell_colours_apart_that_are_alike_in_print(qtbot: QtBot) -> None:
+    legend = SwatchLegend()
+    qtbot.addWidget(legend)
+    swatches = [
+        Swatch("plain", "#a0a0a0"),
+        Swatch("slanted", "#e0e0e0", "#606060"),
+        Swatch("level", "#e0e0e0", "#606060", is_slanted=False),
+    ]
+    legend.show_swatches(swatches)
+    legend.resize(400, 22)
+    legend.show()
+    squares = [one.grab().toImage() for one in legend.findChildren(QFrame) if one.width() == 14]
+    assert len(squares) == len(swatches)
+    plain, slanted, level = (
+        [[image.pixelColor(x, y).red() for x in range(3, 11)] for y in range(3, 11)]
+        for image in squares
+    )
+    assert {red for row in plain for red in row} == {0xA0}
+    for lines in (slanted, list(zip(*slanted, strict=True))):
+        assert max(max(line) - min(line) for line in lines) >= 0x60
+    assert all(len(set(row)) == 1 for row in level)
+    assert len({tuple(row) for row in level}) > 1
 
 
 def _has_swatch(legend: Legend) -> bool:

@@ -16,7 +16,7 @@ from insole_core.milling.plan import MillingPlan
 from insole_core.solids.order import Part
 from insole_core.solids.zone_bodies import cut_by_zones
 from insole_core.workflows.make_order import MadeFor
-from insole_studio.scene.coloring import Coloring, map_colors
+from insole_studio.scene.coloring import Coloring, Swatch, map_colors
 from insole_studio.texts import fill, tr, translate_core_message
 
 _LEAST_SCALE_MM = 0.5
@@ -32,12 +32,12 @@ class PartColors:
     mesh : mm, insole frame
         Its surface.
     swatches
-        Colours ("#rrggbb") with their names; empty where the colours have a scale.
+        Colours with their names; empty where the colours have a scale.
     """
 
     mesh: TriangleMesh
     coloring: Coloring
-    swatches: tuple[tuple[str, str], ...] = ()
+    swatches: tuple[Swatch, ...] = ()
 
 
 def colors_of(parts: Sequence[Part], made: MadeFor) -> dict[Side, PartColors]:
@@ -97,7 +97,7 @@ def _of_zones(printed: PrintedPart, levels: FloatArray) -> PartColors:
     shown = [number for number in range(len(names)) if (zones + 1 == number).any()]
     shown.sort(key=lambda number: number == 0)  # what lies in no zone comes last
     swatches = tuple(
-        (_hex(colors[number]), translate_core_message(names[number])) for number in shown
+        Swatch(translate_core_message(names[number]), _hex(colors[number])) for number in shown
     )
     limits = float(levels[0]), max(float(levels[-1]), levels[0] + 1.0)
     coloring = Coloring(densities[zones + 1], limits, "", painted=colors[zones + 1])

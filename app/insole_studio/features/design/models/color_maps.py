@@ -5,19 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache
 
 import numpy as np
+import numpy.typing as npt
 import scipy
 
-from insole_core.contact.change import MOST_SHOWN, Change
+from insole_core.contact.change import MOST_SHOWN, Change, Shown
 from insole_core.contact.stance import Sole
 from insole_core.foot.foot import Foot
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.pressure.laid_map import FootprintPicture, PressureMap
 from insole_studio.document.insole_preview import InsolePreview
 from insole_studio.document.side_by_side import SideBySide, foot_difference, insole_difference
-from insole_studio.scene.coloring import Coloring, map_colors
+from insole_studio.scene.coloring import MISSING, Coloring, Swatch, map_colors, rgb
 from insole_studio.texts import fill, tr
 
 LEAST_SPAN_MM = 1.0
@@ -25,6 +27,10 @@ _FADE_KPA = (5.0, 25.0)
 """Pressures below are not painted, and those between fade: there the foot or the insole shows."""
 _LEAST_SPAN_KPA, _ROUND_KPA = 50.0, 50.0
 _FACING, _HIGHEST_MM = -0.1, 30.0
+_STRIPE_MM, _SLANTED = 3.0, 2**0.5
+_STEPS = 256
+_FIRST = np.array([0, _STEPS, _STEPS + 2, _STEPS + 4])
+"""Of the colours of each `Shown`, in `_load_colors`."""
 _SKIN, _MATERIAL = (224.0, 190.0, 170.0), (222.0, 216.0, 202.0)
 
 
@@ -216,22 +222,36 @@ class LoadedVertices:
     sole
     xy : (n, 2) float64, mm, insole frame
         Of all vertices of the surface.
-    where : (n,) bool
-        Which of them belong to the sole, or to the upper side of the insole.
+    where : (k,) int64
+        Those of the sole, or of the upper side of the insole, that lie on the grid.
     weights : (k, ny * nx) float64
         Of these, by the nodes of the grid.
+    nearest : (k,) int64
+        Their nodes.
+    stripes : (4, k) int64
+        For each `Shown`, which of its colours they have.
     """
 
     sole: Sole
     xy: FloatArray
-    where: BoolArray
+    where: IntArray
     weights: scipy.sparse.csr_array
+    nearest: IntArray
+    stripes: IntArray
 
     @classmethod
     def of(cls, sole: Sole, vertices: FloatArray, where: BoolArray) -> LoadedVertices:
-        """Return those of a surface, with vertices (n, 3)."""
+        """Return those of a surface, with vertices (n, 3), of which (n,) can be pressed."""
         xy = vertices[:, :2].copy()
-        return cls(sole, xy, where, sole.field.weights_at(xy[where]))
+        on_grid = where & np.isfinite(sole.field.height_at(xy))
+        x, y = xy[on_grid].T
+        weights = sole.field.weights_at(xy[on_grid])
+        greatest = weights.data.reshape(-1, 4).argmax(axis=1)
+        nearest = weights.indices.reshape(-1, 4)[np.arange(len(x)), greatest]
+        stripes = np.zeros((len(Shown), len(x)), dtype=np.int64)
+        stripes[Shown.NEWLY] = y // _STRIPE_MM % 2
+        stripes[Shown.UNTOLD] = (x + y) // (_SLANTED * _STRIPE_MM) % 2
+        return cls(sole, xy, np.flatnonzero(on_grid), weights, nearest, stripes)
 
     def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
         """Return whether vertices (n, 3) of the same surface still lie there."""
@@ -245,8 +265,19 @@ class LoadedVertices:
         untold
             Names of the regions of which nothing can be told.
         """
+        percent = change.percent.ravel()
+        at = self.weights @ percent
+        at = np.where(np.isnan(at), percent[self.nearest], at)  # beside what has no figure
+        shown = change.shown(untold).ravel()[self.nearest]
+        steps = (np.nan_to_num(at) / MOST_SHOWN + 1) / 2 * (_STEPS - 1)
+        colors = np.rint(np.clip(steps, 0, _STEPS - 1)).astype(np.int64)
+        (others,) = np.nonzero(shown != Shown.PERCENT)
+        kinds = shown[others]
+        colors[others] = _FIRST[kinds] + self.stripes[kinds, others]
         values = np.full(len(self.xy), np.nan)
-        values[self.where] = self.weights @ change.shown_percent(untold).ravel()
+        values[self.where] = np.where(shown == Shown.PERCENT, at, np.nan)
+        painted = np.tile(_load_colors()[_FIRST[Shown.IDLE]], (len(self.xy), 1))
+        painted[self.where] = _load_colors()[colors]
         return Coloring(
             values,
             (-MOST_SHOWN, MOST_SHOWN),
@@ -254,8 +285,31 @@ class LoadedVertices:
             signed=True,
             unit="%",
             is_clipped=True,
-            missing=tr("nothing told"),
+            painted=painted,
+            swatches=tuple(_load_swatches().values()),
         )
+
+
+@cache
+def _load_colors() -> npt.NDArray[np.uint8]:
+    """(n, 3) the colours of the map by steps, then those of each other `Shown`, as `_FIRST`."""
+    steps = np.linspace(-MOST_SHOWN, MOST_SHOWN, _STEPS)
+    of_map = map_colors(steps, (-MOST_SHOWN, MOST_SHOWN), signed=True)
+    others = [
+        rgb(color)
+        for swatch in _load_swatches().values()
+        for color in (swatch.color, swatch.stripe or swatch.color)
+    ]
+    return np.concatenate([of_map.round(), others]).astype(np.uint8)
+
+
+def _load_swatches() -> dict[Shown, Swatch]:
+    """Return the colours of what has none of the map, known by their stripes too."""
+    return {
+        Shown.NEWLY: Swatch(tr("newly pressed"), "#ffd400", "#7a6000", is_slanted=False),
+        Shown.IDLE: Swatch(tr("nothing presses"), MISSING),
+        Shown.UNTOLD: Swatch(tr("nothing told"), "#e6e6e6", "#6b6b6b"),
+    }
 
 
 def is_sole(mesh: TriangleMesh) -> BoolArray:
