@@ -49,6 +49,8 @@ _PUBLISHED = (-67.0, 110.0)
 """The greatest changes of published series, and 10 points; the model overrates what is beyond:
 reliefs up to 57 % (Chen, Ju and Tang, Clin. Biomech. 18, 2003), and twice the pressure on a pad."""
 _NONE, _NOT_LOADED = Message(""), Message("Nothing pressed there before.")
+_AS_GROUP = Message("Nothing is told of the heads together, so of none alone.")
+_BESIDE = Message("The place lies beside the sole of the foot.")
 _TOO_UNSURE = Message("What is not known of the foot changes it too much.")
 _APART = tuple(name for name in GROUPS if name != "metatarsal_heads")
 """Regions of which every place of a sole is in one at most."""
@@ -285,7 +287,12 @@ class Change:
         """Return why nothing can be told of one of `GROUPS`, or an empty text."""
         if name == "toes" and not self.sole.has_toes:
             return Message("The scan does not show the toes.")
-        return self._not_modelled(name) or self._not_compared(name)
+        own = self._not_modelled(name) or self._not_compared(name)
+        return _AS_GROUP if not own and name in HEADS and self._heads_are_untold else own
+
+    @cached_property
+    def _heads_are_untold(self) -> bool:
+        return bool(self.reason("metatarsal_heads"))
 
     def _not_modelled(self, name: str) -> Message:
         """Return what the model leaves out that counts in a region, or an empty text."""
@@ -317,8 +324,8 @@ class Change:
         here = inside(self.sole, name)
         return bool(self.old_kpa[here][self.new_kpa[here].argmax()] < LOADED_KPA)
 
-    def reason_at(self, xy: Place) -> Message:
-        """Return why nothing can be told of the region that holds a place, or an empty text."""
+    def region_at(self, xy: Place) -> str | None:
+        """Return which of `GROUPS` holds a place, the heads each; None beside the sole."""
         field = self.sole.field
         column, row = (
             round((at - first) / field.step_mm)
@@ -326,10 +333,8 @@ class Change:
         )
         rows, columns = self.sole.known.shape
         if not (0 <= row < rows and 0 <= column < columns):
-            return _NOT_LOADED
-        number = self.sole.regions[row, column]
-        held = (name for name in _APART if number in _numbers(name))
-        return next((self.reason(name) for name in held), _NOT_LOADED)
+            return None
+        return next((name for name in _APART if inside(self.sole, name)[row, column]), None)
 
     @cached_property
     def _densified(self) -> BoolArray:
@@ -497,10 +502,15 @@ def pressure_change(
         here = usual.of(name)
         others = [None if one is None else one.of(name).peak_percent for one in varied]
         regions[name] = _told(here.peak_percent, others, usual.reason(name), here.load_percent)
+    if regions["metatarsal_heads"].reason:
+        for head in HEADS:
+            regions[head] = replace(regions[head], reason=regions[head].reason or _AS_GROUP)
     at = []
     for xy in points:
         values = [None if one is None else one.at(xy) for one in varied]
-        at.append(_told(usual.at(xy), values, usual.reason_at(xy)))
+        region = usual.region_at(xy)
+        reason = _BESIDE if region is None else regions[region].reason
+        at.append(_told(usual.at(xy), values, reason))
     return PressureChange(loading, usual, regions, tuple(at), assumed)
 
 

@@ -294,6 +294,13 @@ class LoadView(QObject):
         return *of_foot, *of_designs
 
     @property
+    def untold_target(self) -> Message:
+        """Why nothing is told of the region that is aimed at, whatever the pad; else empty."""
+        if self.target is None or self.limits is None:
+            return Message("")
+        return self.limits.regions[self.target.region].reason
+
+    @property
     def fitted(self) -> Fitted | None:
         """What the map under the foot has told of it; None where it is not asked."""
         return None if self._found is None else self._found.fitted
@@ -443,7 +450,7 @@ class LoadView(QObject):
         change, task = base_on.change, base_on.task
         target, base = self.target, self._surface.base
         pad = None if target is None else task.design.found(target.pad_id, Pelott)
-        if target is None or pad is None or base is None:
+        if target is None or pad is None or base is None or self.untold_target:
             return
 
         def ground(design: InsoleDesign) -> Ground:

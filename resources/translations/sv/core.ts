@@ -2136,6 +2136,10 @@
             <translation>Inget är känt om materialet ”{material}”: inlägget görs minst {least_mm:g} mm tjockt, {edge_mm:g} mm vid framkanten; välj ett av {names}.</translation>
         </message>
         <message>
+            <source>Nothing is told of the heads together, so of none alone.</source>
+            <translation>Inget sägs om huvudena tillsammans, och därför inte om något av dem för sig.</translation>
+        </message>
+        <message>
             <source>Nothing links {groups}: each was measured on its own, and their place to each other stays as planned.</source>
             <translation>Inget förbinder {groups}: var och en mättes för sig, och deras läge till varandra förblir som planerat.</translation>
         </message>
@@ -3826,6 +3830,10 @@
         <message>
             <source>The pieces carry the serial number {made}, and it is {ordered} in the order; write it to another place, or without serial numbers on the pieces.</source>
             <translation>Styckena bär serienumret {made}, och i beställningen är det {ordered}; skriv den på en annan plats, eller utan serienummer på styckena.</translation>
+        </message>
+        <message>
+            <source>The place lies beside the sole of the foot.</source>
+            <translation>Stället ligger bredvid fotsulan.</translation>
         </message>
         <message>
             <source>The place of the depth camera is known within {known_mm:.1f} mm only; for {good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).</source>

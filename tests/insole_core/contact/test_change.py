@@ -11,6 +11,7 @@ import pytest
 from benchmarks._contact_cases import forefoot_pads
 from insole_core.contact.change import (
     GROUPS,
+    HEADS,
     Assumptions,
     Change,
     Loading,
@@ -188,7 +189,24 @@ def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(so
     assert behind.percent is not None
     assert -17 < behind.percent < 0
     assert "not even the direction" in under.reason
-    assert "metatarsal_heads" in told[1].cannot_tell
+    assert {"metatarsal_heads", *HEADS} <= set(told[1].cannot_tell)
+    assert {"metatarsal_heads", *HEADS} <= set(told[1].change.untold)  # and as much at a drag
+    reasons = [told[1].regions[head].reason for head in HEADS]
+    assert any("so of none alone" in reason for reason in reasons)
+    assert not all("so of none alone" in reason for reason in reasons)
+
+
+def test_where_limits_leave_the_heads_untold_none_is_told_alone(sole: Sole) -> None:
+    floor, thick = shoe_floor(sole), np.full(sole.known.shape, 6.0)
+    loading, foams = Loading(sole, 75), Ground(thick, thick, foam(35))
+    known = changed(loading, floor, foams, Assumptions())
+    mpa = known.new.mpa * np.where(inside(sole, "head_2"), 6.0, 1.0)
+    told = pressure_change(
+        loading, floor, foams, known=replace(known, new=replace(known.new, mpa=mpa))
+    )
+    assert "metatarsal_heads" not in told.change.untold
+    assert {"metatarsal_heads", *HEADS} <= set(told.cannot_tell)
+    assert "so of none alone" in told.regions["head_5"].reason
 
 
 def test_a_place_has_the_reason_of_its_region_and_no_colour(sole: Sole) -> None:
@@ -200,7 +218,11 @@ def test_a_place_has_the_reason_of_its_region_and_no_colour(sole: Sole) -> None:
     told = pressure_change(loading, shoe_floor(sole), ground, points=[head, beside])
     at_head, off_the_foot = told.points
     assert at_head.reason == told.regions["head_2"].reason != ""
-    assert off_the_foot.reason
+    assert "beside the sole" in off_the_foot.reason
+    corner = (float(sole.field.x0_mm), float(sole.field.y0_mm))
+    assert not sole.known[0, 0]
+    at_corner = pressure_change(loading, shoe_floor(sole), ground, points=[corner]).points[0]
+    assert "beside the sole" in at_corner.reason
     assert "leaves the ground" in told.regions["heel"].reason
     change = told.change  # and as much during a drag, without limits
     assert set(change.untold) <= set(told.cannot_tell)

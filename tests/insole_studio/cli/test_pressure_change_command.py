@@ -55,7 +55,7 @@ def test_the_report_tells_regions_points_and_areas_with_their_limits(
     foot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     report, new = tmp_path / "change.json", design(tmp_path, "new.json", corrections=[PAD])
-    assert run(call(foot, new, report, "--at", "-12,40", "0,30", "--shore-a", "35")) == 0
+    assert run(call(foot, new, report, "--at", "-12,40", "0,30", "90,30", "--shore-a", "35")) == 0
     told = json.loads(report.read_text())
     assert told["total_load_N"] == pytest.approx(75 * 9.80665 / 2, abs=0.001)
     assert set(told["regions"]) == {
@@ -64,9 +64,11 @@ def test_the_report_tells_regions_points_and_areas_with_their_limits(
     }  # fmt: skip
     heel = told["regions"]["heel"]
     assert heel["limits_95"][0] < heel["change_percent"] < heel["limits_95"][1] < 0
-    assert [(p["x_mm"], p["y_mm"]) for p in told["points"]] == [(-12, 40), (0, 30)]
+    assert [(p["x_mm"], p["y_mm"]) for p in told["points"]] == [(-12, 40), (0, 30), (90, 30)]
     assert told["points"][1]["change_percent"] < 0
     assert told["points"][1]["reason"] == told["reasons"].get("heel", "")
+    assert told["points"][2]["change_percent"] is None
+    assert "beside the sole" in told["points"][2]["reason"]
     assert told["contact_area_mm2"]["new"] > told["contact_area_mm2"]["old"]
     assert set(told["cannot_tell"]) == set(told["reasons"])
     printed = capsys.readouterr()

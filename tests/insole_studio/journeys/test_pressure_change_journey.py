@@ -133,10 +133,11 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
         dialog.percent.show_value(percent)
         dialog.region.activated.emit(dialog.region.currentIndex())
         settle()
-        assert load.curve is not None
-        assert load.curve.doses_mm[0] == 0
+        assert (load.curve is not None) is shown  # what is not told is not computed either
         assert dialog.dose.text().startswith(text)
         assert dialog.chart.isHidden() is not shown
+    assert load.curve is not None
+    assert load.curve.doses_mm[0] == 0
     dialog.percent.show_value(round(load.curve.percents[3]))
     dialog.region.activated.emit(dialog.region.currentIndex())
     assert dialog.chart.isHidden()  # that of another target

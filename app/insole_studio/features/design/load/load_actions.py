@@ -104,15 +104,15 @@ class LoadActions:
         """Say which dose of the pad reaches the target, and show the curve."""
         design, target = self._case.record.design, self._load.target
         curve = None if target is None else self._load.curve
-        untold = self._untold(target)
-        dialog.chart.show_curve(None if untold else curve, dialog.percent.value())
+        untold = translate_core_message(self._load.untold_target)
+        dialog.chart.show_curve(curve, dialog.percent.value())
         pad = None if target is None or design is None else design.found(target.pad_id, Pelott)
         if design is not None and dialog.region.currentData() and not design.of(Pelott):
             dialog.dose.say(tr("The design has no pad whose height could be varied."))
-        elif curve is None or target is None or pad is None:
-            dialog.dose.say("")
         elif untold:
             dialog.dose.say(fill(tr("No height can be told: {reason}"), reason=untold))
+        elif curve is None or target is None or pad is None:
+            dialog.dose.say("")
         elif self._load.dose is None:
             text = tr("No height of the pad that was tried reaches it: it makes {low} to {high}.")
             dialog.dose.say(_span_text(text, curve))
@@ -121,13 +121,6 @@ class LoadActions:
             dialog.dose.say(_span_text(text, curve))
         else:
             dialog.dose.say(_dose_text(self._load.dose, name_of(pad), target.percent))
-
-    def _untold(self, target: Target | None) -> str:
-        """Return why nothing is told of the region that is aimed at, or an empty text."""
-        limits = self._load.limits
-        if target is None or limits is None:
-            return ""
-        return translate_core_message(limits.regions[target.region].reason)
 
     def _close(self) -> None:
         self._dialog = None
