@@ -9,17 +9,22 @@ import pytest
 from pointing import LEFT, drag, pixel
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QMenu, QToolButton, QWidget
 
+from insole_core.cases.scan_source import ScanSource
+from insole_core.foot.foot import Foot
 from insole_core.foot.landmarks import HEADS
+from insole_core.geometry.side import Side
 from insole_core.insole.elements import ArchRaise, Correction, Pelott
 from insole_core.insole.pads.pad_heights import pad_heights
 from insole_core.insole.pads.pad_shapes import pad_size
 from insole_core.workflows.foot_landmarks import landmarks_of
 from insole_core.workflows.pad_library import load_pads
 from insole_studio.app.bootstrap import Application
-from insole_studio.features.design.correction_names import describe
+from insole_studio.features.design.correction_names import describe, name_of
 from insole_studio.features.design.pad_menu import PadEntry, PadMenu, pad_menu
+from insole_studio.features.design.parameters.correction_fields import field_specs
+from insole_studio.features.design.rows import FieldSpec
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.texts import load_language
 from insole_studio.widgets.number_field import NumberField
@@ -82,12 +87,90 @@ def field(app: Application, key: str) -> NumberField:
     return found
 
 
+def act(app: Application, key: str) -> None:
+    app.window.actions_by_key[key].trigger()
+
+
 def type_into(widget: QWidget, text: str) -> None:
     assert isinstance(widget, NumberField)
     QTest.mouseDClick(widget.lineEdit(), LEFT)
     widget.selectAll()
     QTest.keyClicks(widget, text)
     QTest.keyClick(widget, Qt.Key.Key_Return)
+
+
+def values_of_selected(app: Application) -> dict[str, float]:
+    """What the panel shows of the selected correction, which is what the design says of it."""
+    design, selection, side = app.case.record.design, app.case.selection, app.case.record.side
+    assert design is not None
+    assert selection is not None
+    assert side is not None
+    selected = design.correction(selection)
+    assert selected is not None
+    panel = app.stage.parameters
+    shown = {
+        f.property("key"): f.value()
+        for f in panel.findChildren(NumberField)
+        if f.isVisible() and f.property("key").startswith("correction.")
+    }
+    specs = field_specs(selected, "correction", side)
+    told = {spec.key: spec.value for spec in specs if isinstance(spec, FieldSpec)}
+    assert shown == pytest.approx(told, abs=0.05)
+    titles = [label.text() for label in panel.findChildren(QLabel) if label.isVisible()]
+    assert name_of(selected) in titles
+    return shown
+
+
+def test_the_panel_shows_the_selected_element_whatever_was_selected_before(
+    opened: Application, settle: Callable[[], None], make_foot: Callable[[Side], Foot]
+) -> None:
+    library = ("Prescribe", "Pad of the library", "Forefoot", "Relief under a head")
+    choose_in_menu_bar(opened, *library, "Relief under the 2nd head")
+    choose_in_menu_bar(opened, *library, "Relief under the 3rd head")
+    choose_in_menu_bar(opened, "Prescribe", "Arch to a height")
+    settle()
+    second, third, arch = (each.id for each in corrections(opened))
+
+    def select(correction: str) -> dict[str, float]:
+        opened.case.select(correction)
+        return values_of_selected(opened)
+
+    height = "correction.height_mm"
+    of_arch = select(arch)
+    kept = field(opened, "correction.target_mm")
+    assert select(second)[height] == -2.0
+    type_into(field(opened, height), "-1.5")
+    assert select(third)[height] == -2.0
+    assert select(second)[height] == -1.5
+    assert select(arch) == of_arch
+    assert field(opened, "correction.target_mm") is kept
+    type_into(kept, "33")
+    select(third)
+    opened.case.undo()
+    assert select(arch) == of_arch
+    opened.case.undo()
+    assert select(second)[height] == -2.0
+    opened.case.select(None)
+    act(opened, "variant_duplicate")
+    assert select(corrections(opened)[0].id)[height] == -2.0
+    type_into(field(opened, height), "-1")
+    act(opened, "variant_next")
+    assert select(corrections(opened)[0].id)[height] == -2.0
+
+    place = select(corrections(opened)[0].id)["correction.centre_mm.0"]
+    act(opened, "mirror_foot")
+    settle()
+    act(opened, "foot_left")
+    act(opened, "copy_to_other")
+    settle()
+    assert opened.case.record.side is Side.RIGHT
+    assert select(corrections(opened)[0].id)["correction.centre_mm.0"] == place
+    act(opened, "new_case")
+    opened.case.open_foot(make_foot(Side.RIGHT), ScanSource("mesh", "/nowhere/right.ply", "1" * 64))
+    settle()
+    choose_in_menu_bar(opened, "Prescribe", "Arch to a height")
+    settle()
+    assert select(corrections(opened)[0].id) == pytest.approx(of_arch, abs=0.2)
 
 
 def test_reliefs_are_chosen_in_the_menu_deepened_moved_and_undone(

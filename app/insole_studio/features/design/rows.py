@@ -112,5 +112,10 @@ class FieldGroup:
 
     @property
     def shape(self) -> FieldGroup:
-        """The same without values and ranges; groups of equal shape can share fields."""
-        return replace(self, fields=tuple(field.shape for field in self.fields))
+        """The same without values and ranges; groups of equal shape can share fields.
+
+        Of a group that is not folded, title and note are values as well: it is not opened by them.
+        """
+        title = self.title if self.folds else ""
+        fields = tuple(field.shape for field in self.fields)
+        return replace(self, title=title, note="", fields=fields)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TypeAlias
@@ -37,15 +37,41 @@ CHOICE_PX = 116
 LEAST_PX, MOST_PX = 112, 176
 LOW_SCREEN_PX, LOWEST_PX = 600, 64
 """Height below which a screen has no room for a whole line of fields, and what they get there."""
+MOST_KEPT = 16
+"""Groups that are kept to be shown again: making fields takes longer than all else of a selection.
+"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _LaidOutGroup:
-    """The widget of a group, and its fields by their keys."""
+    """The widget of a group, its fields by their keys, and the labels of title and note."""
 
     shape: FieldGroup
     widget: QWidget
     fields: dict[str, ValueField]
+    heading: tuple[QLabel, ...] = ()
+
+    def show(self) -> None:
+        """Show the group, its fields with their keys."""
+        self._set_keys(dict(zip(self.fields, self.fields, strict=True)))
+        self.widget.show()
+
+    def hide(self) -> None:
+        """Hide the group; another one may show a field of the same key meanwhile."""
+        self.widget.hide()
+        self._set_keys({})
+
+    @property
+    def can_return(self) -> bool:
+        """Whether it has fields, and no slider in the hand; hiding ends what is typed."""
+        sliders = [f.slider for f in self.fields.values() if isinstance(f, SliderField)]
+        return bool(self.fields) and not any(slider.isSliderDown() for slider in sliders)
+
+    def _set_keys(self, keys: Mapping[str, str]) -> None:
+        for key, field in self.fields.items():
+            field.setProperty("key", keys.get(key))
+            if isinstance(field, SliderField):
+                field.number.setProperty("key", keys.get(key))
 
 
 class ParametersView(QScrollArea):
@@ -61,13 +87,16 @@ class ParametersView(QScrollArea):
         super().__init__(parent)
         self._groups: Sequence[FieldGroup] = ()
         self._laid_out: list[_LaidOutGroup] = []
+        self._kept: list[_LaidOutGroup] = []
+        """Hidden, the last one first."""
         self._fields: dict[str, ValueField] = {}
         self._open: set[str] = set()
         """Titles of the groups for experts that were opened."""
         self._rows = ROWS
+        self._is_restyled = True
         self._restyled = QTimer(self)
         self._restyled.setSingleShot(True)
-        self._restyled.timeout.connect(self._fit_rows)
+        self._restyled.timeout.connect(lambda: self.show_groups(self._groups))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         content = QWidget()
@@ -79,9 +108,13 @@ class ParametersView(QScrollArea):
     def show_groups(self, groups: Sequence[FieldGroup]) -> None:
         """Show the groups; the fields of a group of which only values changed are reused."""
         self._groups = groups
-        if [group.shape for group in groups] != [shown.shape for shown in self._laid_out]:
-            self._lay_out(groups, self._laid_out)
-        for group in groups:
+        shapes = [group.shape for group in groups]
+        if self._is_restyled or shapes != [shown.shape for shown in self._laid_out]:
+            self._lay_out(groups, shapes)
+        for group, shown in zip(groups, self._laid_out, strict=True):
+            for label, text in zip(shown.heading, (group.title, group.note), strict=False):
+                label.setText(text)
+                label.setVisible(bool(text))
             for spec in group.fields:
                 self._show_value(spec)
 
@@ -98,12 +131,8 @@ class ParametersView(QScrollArea):
         """Lay the fields out again when touch mode begins or ends: fewer rows fit then."""
         super().changeEvent(event)
         if event.type() is QEvent.Type.StyleChange:
+            self._is_restyled = True
             self._restyled.start()  # Qt still goes through the fields that would be replaced
-
-    def _fit_rows(self) -> None:
-        if self._rows != self._rows_now:
-            self._lay_out(self._groups, [])
-            self.show_groups(self._groups)
 
     def _show_value(self, spec: FieldSpec | ChoiceSpec) -> None:
         field = self._fields[spec.key]
@@ -114,10 +143,13 @@ class ParametersView(QScrollArea):
         else:
             field.show_value(str(spec.value))
 
-    def _lay_out(self, groups: Sequence[FieldGroup], reusable: Sequence[_LaidOutGroup]) -> None:
-        self._rows = self._rows_now
-        before, unused = self._laid_out, list(reusable)
-        self._laid_out = [_taken(unused, group) or self._group(group) for group in groups]
+    def _lay_out(self, groups: Sequence[FieldGroup], shapes: Sequence[FieldGroup]) -> None:
+        outdated = self._fit_rows()
+        before, unused = self._laid_out, [*self._laid_out, *self._kept]
+        self._laid_out = [
+            _taken(unused, shape) or self._group(group, shape)
+            for group, shape in zip(groups, shapes, strict=True)
+        ]
         self._fields = {
             key: field for shown in self._laid_out for key, field in shown.fields.items()
         }
@@ -125,10 +157,14 @@ class ParametersView(QScrollArea):
             pass
         for shown in self._laid_out:
             self._flow.addWidget(shown.widget)
-            shown.widget.show()
+            shown.show()
+        self._kept = [group for group in self._kept if group in unused]
         for gone in before:
-            if gone not in self._laid_out:
-                self._remove(gone.widget)
+            if gone in unused:
+                self._let_go(gone)
+        for gone in outdated:
+            self._hide(gone)
+            gone.widget.deleteLater()
         for shown in self._laid_out:
             if shown not in before:
                 for widget in shown.widget.findChildren(QWidget):
@@ -138,32 +174,54 @@ class ParametersView(QScrollArea):
         is_low = self.screen().availableGeometry().height() < LOW_SCREEN_PX
         self.setMinimumHeight(LOWEST_PX if is_low else first_px)
 
-    def _remove(self, group: QWidget) -> None:
-        """Remove a group; its field that has the keyboard focus hands it to the one of its key."""
+    def _fit_rows(self) -> list[_LaidOutGroup]:
+        """Count the rows that fit in a new style; return the groups of another number."""
+        rows = self._rows_now if self._is_restyled else self._rows
+        self._is_restyled = False
+        if rows == self._rows:
+            return []
+        outdated = [*self._laid_out, *self._kept]
+        self._rows, self._laid_out, self._kept = rows, [], []
+        return outdated
+
+    def _let_go(self, group: _LaidOutGroup) -> None:
+        """Hide a group, and keep it for later if it can be shown again."""
+        self._hide(group)
+        if group.can_return:
+            self._kept.insert(0, group)
+        else:
+            group.widget.deleteLater()  # one of its fields may be in the midst of a key
+        for surplus in self._kept[MOST_KEPT:]:
+            self._kept.remove(surplus)
+            surplus.widget.deleteLater()
+
+    def _hide(self, group: _LaidOutGroup) -> None:
+        """Hide a group; its field that has the keyboard focus hands it to the one of its key."""
         focused = QApplication.focusWidget()
-        if focused is not None and group.isAncestorOf(focused):
+        if focused is not None and group.widget.isAncestorOf(focused):
             successor = self._fields.get(str(focused.property("key") or ""))
             if successor is None:
                 focused.clearFocus()  # else the next field would take what is typed
             else:
                 successor.setFocus()
         group.hide()
-        group.deleteLater()  # one of its fields may be in the midst of a key
 
-    def _group(self, group: FieldGroup) -> _LaidOutGroup:
+    def _group(self, group: FieldGroup, shape: FieldGroup) -> _LaidOutGroup:
         widget = QWidget()
         column = QVBoxLayout(widget)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)
+        heading: tuple[QLabel, ...] = ()
         if group.folds:
             cells = QWidget(widget)
             cells.setLayout(grid)
             column.addLayout(self._fold(group, cells))
             column.addWidget(cells)
         else:
-            column.addLayout(_heading(group))
+            heading = QLabel(), QLabel()
+            column.addLayout(_heading(*heading))
             column.addLayout(grid)
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(4)
@@ -176,7 +234,7 @@ class ParametersView(QScrollArea):
         }
         grid.setColumnStretch(grid.columnCount(), 1)
         column.addStretch(1)
-        return _LaidOutGroup(group.shape, widget, fields)
+        return _LaidOutGroup(shape, widget, fields, heading)
 
     def _fold(self, group: FieldGroup, content: QWidget) -> QHBoxLayout:
         """Return the heading of a group for experts, which stays open once it was opened."""
@@ -204,7 +262,6 @@ class ParametersView(QScrollArea):
         self, grid: QGridLayout, spec: FieldSpec | ChoiceSpec, number: int, before: int
     ) -> ValueField:
         field = _make_field(spec)
-        field.setProperty("key", spec.key)
         _describe(field, spec)
         if isinstance(field, ComboBox):
             field.setFixedWidth(CHOICE_PX)
@@ -212,7 +269,6 @@ class ParametersView(QScrollArea):
             field.set_room(FIELD_PX)
         field.edited.connect(self._edited)
         if isinstance(field, SliderField):
-            field.number.setProperty("key", spec.key)
             field.moved.connect(self._moved)
             field.cancelled.connect(self.move_cancelled)
         label = QLabel(spec.label)
@@ -254,23 +310,21 @@ class ParametersView(QScrollArea):
         self.proposal_chosen.emit(self.sender().property("offer"))
 
 
-def _taken(unused: list[_LaidOutGroup], group: FieldGroup) -> _LaidOutGroup | None:
+def _taken(unused: list[_LaidOutGroup], shape: FieldGroup) -> _LaidOutGroup | None:
     """Take out and return one of the same shape; None if there is none."""
-    for number, shown in enumerate(unused):
-        if shown.shape == group.shape:
+    for number, group in enumerate(unused):
+        if group.shape == shape:
             return unused.pop(number)
     return None
 
 
-def _heading(group: FieldGroup) -> QHBoxLayout:
-    """Return title and caption in one line, so that the fields of all groups align."""
+def _heading(title: QLabel, note: QLabel) -> QHBoxLayout:
+    """Return title and note in one line, so that the fields of all groups align."""
     row = QHBoxLayout()
     row.setSpacing(8)
-    for text, name in ((group.title, "heading"), (group.note, "quiet")):
-        if text:
-            label = QLabel(text)
-            label.setObjectName(name)
-            row.addWidget(label)
+    for label, name in ((title, "heading"), (note, "quiet")):
+        label.setObjectName(name)
+        row.addWidget(label)
     row.addStretch(1)
     return row
 
