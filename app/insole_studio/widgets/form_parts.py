@@ -191,6 +191,12 @@ class LinkLabel(QLabel):
         self.setTextInteractionFlags(by.LinksAccessibleByMouse | by.LinksAccessibleByKeyboard)
         self._write()
 
+    def say(self, words: str) -> None:
+        """Show another text that leads to the same."""
+        if words != self._words:
+            self._words = words
+            self._write()
+
     def changeEvent(self, event: QEvent) -> None:
         """Follow changes of the theme."""
         super().changeEvent(event)

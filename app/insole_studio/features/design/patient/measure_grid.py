@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
@@ -18,6 +19,17 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LIMITS, _DIFFERENCE, _BOTH = 3, 4, 5
 
 
+@dataclass(frozen=True)
+class _Form:
+    """What of a row no text changes: the key of its link, and which of its values are quiet.
+
+    A line that explains the others has none.
+    """
+
+    key: str
+    quiet: tuple[bool, ...]
+
+
 class MeasureGrid(QWidget):
     """One row per measure; a click on a name shows where it is taken."""
 
@@ -26,6 +38,8 @@ class MeasureGrid(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown: list[Measure] = []
+        self._rows: list[tuple[_Form, list[QLabel]]] = []
+        """Form and labels of each row; those of other measures of the same forms are reused."""
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(6)
@@ -37,13 +51,22 @@ class MeasureGrid(QWidget):
         if list(measures) == self._shown:
             return
         self._shown = list(measures)
+        self.setVisible(bool(measures))
+        if not measures:
+            return
+        forms = [_form(measure) for measure in measures]
+        if forms != [form for form, _ in self._rows]:
+            self._lay_out(measures, forms)
+        for measure, (_, (name, *numbers)) in zip(measures, self._rows, strict=True):
+            _write(measure, name, numbers)
+
+    def _lay_out(self, measures: Sequence[Measure], forms: Sequence[_Form]) -> None:
         remove_widgets(self._grid)
         first = 0
-        if measures and len(measures[0].values) == _BOTH:
+        if len(measures[0].values) == _BOTH:
             self._add_heads()
             first = 1
-        for row, measure in enumerate(measures, first):
-            self._add(row, measure)
+        self._rows = [(form, self._row(row, form)) for row, form in enumerate(forms, first)]
 
     def _add_heads(self) -> None:
         unit = QLabel("mm")
@@ -59,36 +82,51 @@ class MeasureGrid(QWidget):
         for column, head in enumerate(heads, 1):
             self._grid.addWidget(head, 0, column, _RIGHT)
 
-    def _add(self, row: int, measure: Measure) -> None:
-        if not measure.values:
-            self._add_explanation(row, measure)
-            return
-        both = len(measure.values) == _BOTH
-        is_angle = both and measure.unit == "°"
-        name = self._name(f"{measure.name} (°)" if is_angle else measure.name, measure.key)
+    def _row(self, row: int, form: _Form) -> list[QLabel]:
+        """Return the label of the name and those of the values."""
+        name = self._name(form.key)
         name.setWordWrap(True)
-        name.setToolTip(measure.tip)
+        if not form.quiet:
+            name.setObjectName("quiet" if not form.key else "")
+            self._grid.addWidget(name, row, 0, 1, -1)
+            return [name]
         self._grid.addWidget(name, row, 0)
-        for column, value in enumerate(measure.values, 1):
-            text = value if both or not measure.unit else f"{value} {measure.unit}"
-            number = QLabel(text)
-            number.setToolTip(measure.tip)
+        numbers = []
+        for column, is_quiet in enumerate(form.quiet, 1):
+            number = QLabel()
             number.setAlignment(_RIGHT)  # also of two lines
-            if column in (_LIMITS, _BOTH) or (column == _DIFFERENCE and measure.is_within_error):
-                number.setObjectName("quiet")
+            number.setObjectName("quiet" if is_quiet else "")
             self._grid.addWidget(number, row, column, _RIGHT)
+            numbers.append(number)
+        return [name, *numbers]
 
-    def _add_explanation(self, row: int, measure: Measure) -> None:
-        told = self._name(measure.name, measure.key)
-        told.setObjectName("quiet" if not measure.key else "")
-        told.setWordWrap(True)
-        self._grid.addWidget(told, row, 0, 1, -1)
-
-    def _name(self, words: str, key: str) -> QLabel:
+    def _name(self, key: str) -> QLabel:
         """Return the label of a measure, a link if its place can be shown."""
         if not key:
-            return QLabel(words)
-        name = LinkLabel(words, key, underlined=False)
+            return QLabel()
+        name = LinkLabel("", key, underlined=False)
         name.setCursor(Qt.CursorShape.PointingHandCursor)
         name.linkActivated.connect(self.chosen)
         return name
+
+
+def _form(measure: Measure) -> _Form:
+    columns = range(1, len(measure.values) + 1)
+    quiet = tuple(
+        column in (_LIMITS, _BOTH) or (column == _DIFFERENCE and measure.is_within_error)
+        for column in columns
+    )
+    return _Form(measure.key, quiet)
+
+
+def _write(measure: Measure, name: QLabel, numbers: Sequence[QLabel]) -> None:
+    both = len(measure.values) == _BOTH
+    words = f"{measure.name} (°)" if both and measure.unit == "°" else measure.name
+    if isinstance(name, LinkLabel):
+        name.say(words)
+    else:
+        name.setText(words)
+    name.setToolTip(measure.tip if numbers else "")
+    for number, value in zip(numbers, measure.values, strict=True):
+        number.setText(value if both or not measure.unit else f"{value} {measure.unit}")
+        number.setToolTip(measure.tip)
