@@ -58,8 +58,9 @@ class StepStrip(QWidget):
                 self._add(step)
             button = self._buttons[step.key]
             button.setText(f"{_MARKS[step.state]}  {step.text}")
-            button.setProperty("state", step.state.value)
-            button.style().polish(button)  # the style sheet depends on the state
+            if button.property("state") != step.state.value:
+                button.setProperty("state", step.state.value)
+                button.style().polish(button)  # the style sheet depends on the state
 
     def let_choose(self, keys: Sequence[str] | None, why_not: str) -> None:
         """Let only some steps be chosen, all by default; the others say why not."""
