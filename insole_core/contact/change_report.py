@@ -20,6 +20,12 @@ REGION_WORDS = {
 """What each of `GROUPS` is called."""
 
 
+def signed(percent: float) -> str:
+    """Return a change in whole per cent as all texts write it: "+31", "−24", "0"."""
+    whole = round(percent)
+    return f"{whole:+d}".replace("-", "−") if whole else "0"
+
+
 def change_lines(told: PressureChange) -> tuple[Message, ...]:
     """Return what is told of a change for a paper, a sentence each; the last says what it is."""
     lines = []
@@ -30,11 +36,11 @@ def change_lines(told: PressureChange) -> tuple[Message, ...]:
             low, high = one.limits
             lines.append(
                 Message(
-                    "{region}: {percent:+.0f} % of the peak pressure, {low:+.0f} to {high:+.0f} %.",
+                    "{region}: {percent} % of the peak pressure, {low} to {high} %.",
                     region=REGION_WORDS[name],
-                    percent=one.percent,
-                    low=low,
-                    high=high,
+                    percent=signed(one.percent),
+                    low=signed(low),
+                    high=signed(high),
                 )
             )
     return (*lines, SENTENCE)

@@ -74,14 +74,24 @@ _SIGPIPE = 13  # Windows has no signal of this name
 
 
 class _VisibleStream:
-    """A text stream that writes `visible` text; all else is that of the stream itself."""
+    """A text stream that writes `visible` text; all else is that of the stream itself.
+
+    What its encoding lacks, as that of a pipe on Windows does, is written as plain text: a command
+    that has done its work must not fail by a sign.
+    """
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
 
     def write(self, text: str) -> int:
         """Write a text; return its length."""
-        self._stream.write(visible(text))
+        shown, encoding = visible(text), self._stream.encoding or "utf-8"
+        try:
+            shown.encode(encoding)
+        except UnicodeEncodeError:
+            plain = shown.replace("−", "-").encode(encoding, "backslashreplace")
+            shown = plain.decode(encoding)
+        self._stream.write(shown)
         return len(text)
 
     def writelines(self, lines: Iterable[str]) -> None:

@@ -241,12 +241,14 @@ def _changed(
 
 
 def _print_regions(told: PressureChange) -> None:
+    from insole_core.contact.change_report import signed
+
     for name, one in told.regions.items():
         if one.reason or one.percent is None or one.limits is None:
             print(f"{name:<16} cannot tell: {one.reason}")
         else:
-            low, high = one.limits
-            print(f"{name:<16} {one.percent:+.0f} % ({low:+.0f} to {high:+.0f})")
+            percent, low, high = map(signed, (one.percent, *one.limits))
+            print(f"{name:<16} {percent} % ({low} to {high})")
 
 
 def _place(text: str) -> tuple[float, float]:

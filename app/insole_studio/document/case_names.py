@@ -12,6 +12,9 @@ from insole_core.visible_text import visible_line
 from insole_studio.document.case import Case
 from insole_studio.texts import tr
 
+_LETTERS = 2
+"""A name of so many signs is one that was given by itself, such as "B" or "12"."""
+
 
 def case_name(case: Case) -> str:
     """Return the name of the case's file, or of its patient."""
@@ -55,11 +58,19 @@ def whose(record: CaseRecord) -> str:
     words = (
         record.patient.name,
         side[foot.side] if foot is not None else "",
-        tr("Variant {name}").format(name=foot.chosen)
-        if foot is not None and len(foot.variants) > 1
-        else "",
+        variant_title(foot.chosen) if foot is not None and len(foot.variants) > 1 else "",
     )
     return "  ·  ".join(word for word in words if word)
+
+
+def variant_title(name: str) -> str:
+    """Return what a variant is called where it is not plain that it is one."""
+    return tr("Variant {name}").format(name=name)
+
+
+def variant_heading(name: str) -> str:
+    """Return what stands over a variant: its name, if that alone says that it is one."""
+    return name if len(name) > _LETTERS else variant_title(name)
 
 
 def choose_variant(case: Case, name: str) -> None:

@@ -75,7 +75,9 @@ class Legend(QWidget):
             gradient.setColorAt(number / (len(self._coloring.colors) - 1), QColor(color))
         painter.fillRect(strip, gradient)
         decimals = 0 if max(abs(limit) for limit in self._coloring.limits) >= WHOLE_FROM else 1
-        low, high = (localised(limit, f".{decimals}f") for limit in self._coloring.limits)
+        low, high = (
+            localised(limit, f".{decimals}f").replace("-", "−") for limit in self._coloring.limits
+        )
         high = f"≥ {high}" if self._coloring.is_clipped else high
         left = QRectF(start, 0, NUMBER_PX - 6, self.height())
         right = QRectF(strip.right() + 6, 0, NUMBER_PX, self.height())

@@ -131,9 +131,15 @@ class RowTable(QTableView):
         number = self.currentIndex().row()
         return self._rows.rows[number].key if number >= 0 else ""
 
-    def show_headings(self, headings: Sequence[str]) -> None:
-        """Show other headings; a column without one is hidden."""
-        self._rows.name_columns(headings)
+    def show_headings(self, headings: Sequence[str], tips: Sequence[str] = ()) -> None:
+        """Show other headings; a column without one is hidden.
+
+        Parameters
+        ----------
+        tips
+            What more there is to say of each; empty for nothing.
+        """
+        self._rows.name_columns(headings, tips)
         for column, heading in enumerate(headings):
             self.setColumnHidden(column, not heading)
 
@@ -219,6 +225,7 @@ class _Rows(QAbstractTableModel):
     def __init__(self, headings: Sequence[str], table: QTableView) -> None:
         super().__init__(table)
         self._headings = tuple(headings)
+        self._tips: tuple[str, ...] = ()
         self._table = table
         self.rows: tuple[TableRow, ...] = ()
 
@@ -228,9 +235,9 @@ class _Rows(QAbstractTableModel):
         self.rows = tuple(rows)
         self.endResetModel()
 
-    def name_columns(self, headings: Sequence[str]) -> None:
-        """Give the columns other headings."""
-        self._headings = tuple(headings)
+    def name_columns(self, headings: Sequence[str], tips: Sequence[str] = ()) -> None:
+        """Give the columns other headings, and tips."""
+        self._headings, self._tips = tuple(headings), tuple(tips)
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(headings) - 1)
 
     def rowCount(self, parent: _Index = _NOWHERE) -> int:
@@ -244,9 +251,11 @@ class _Rows(QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> object:
-        """Return the heading of a column."""
+        """Return the heading of a column, and what more there is to say of it."""
         if orientation is Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
             return self._headings[section]
+        if orientation is Qt.Orientation.Horizontal and role == Qt.ItemDataRole.ToolTipRole:
+            return self._tips[section] or None if self._tips else None
         return None
 
     def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:

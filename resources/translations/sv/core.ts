@@ -10232,8 +10232,8 @@
             <translation>{region}: kan inte säga.</translation>
         </message>
         <message>
-            <source>{region}: {percent:+.0f} % of the peak pressure, {low:+.0f} to {high:+.0f} %.</source>
-            <translation>{region}: {percent:+.0f} % av topptrycket, {low:+.0f} till {high:+.0f} %.</translation>
+            <source>{region}: {percent} % of the peak pressure, {low} to {high} %.</source>
+            <translation>{region}: {percent} % av topptrycket, {low} till {high} %.</translation>
         </message>
         <message>
             <source>{scan} does not fit what was captured, wherever it is laid; name the scan of the same body, and check its unit.</source>

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import json
+import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -73,8 +76,20 @@ def test_the_report_tells_regions_points_and_areas_with_their_limits(
     assert set(told["cannot_tell"]) == set(told["reasons"])
     printed = capsys.readouterr()
     assert str(SENTENCE) in printed.out
+    assert re.search(r"^heel +−\d+ % \(−\d+ to −\d+\)$", printed.out, re.MULTILINE)
     assert str(SENTENCE) in told["notes"]
     assert "Warning: A design names no material" not in printed.err
+
+
+def test_a_stream_without_a_minus_sign_gets_a_hyphen(
+    foot: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written, encoding="cp1252"))
+    new = design(tmp_path, "new.json", corrections=[PAD])
+    assert run(call(foot, new, tmp_path / "change.json")) == 0
+    sys.stdout.flush()
+    assert re.search(rb"^heel +-\d+ % \(-\d+ to -\d+\)\r?$", written.getvalue(), re.MULTILINE)
 
 
 def test_against_itself_nothing_changes_and_the_material_that_is_assumed_is_told(

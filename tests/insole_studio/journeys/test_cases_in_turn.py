@@ -227,11 +227,11 @@ def test_two_variants_beside_each_other_keep_their_names_after_undo(
     app.case.undo()
     settle()
     assert heads() == "B − A"
-    assert names[-1] == ["B", "A"]
+    assert names[-1] == ["Variant B", "Variant A"]
     app.case.redo()
     settle()
     assert heads() == "sport − A"
-    assert names[-1] == ["sport", "A"]
+    assert names[-1] == ["sport", "Variant A"]
 
 
 def test_the_section_says_what_to_do_with_its_tool(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -74,7 +75,7 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     assert dialog.problem.isHidden()
     shown = {row.key: row.cells for row in dialog.table.rows}
     assert len(shown) == 9
-    assert "%" in shown["heel"][1]
+    assert re.fullmatch(r"−\d+\N{NO-BREAK SPACE}% \(−\d+ … [−+]?\d+\)", shown["heel"][1])
     assert all(" … " in cells[1] or cells[1] == "cannot tell" for cells in shown.values())
     for view in (stage.insole, stage.foot):
         assert view.numbers.text() == SENTENCE
@@ -109,7 +110,7 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     QTest.mouseClick(dialog.papers, LEFT, pos=QPoint(8, dialog.papers.height() // 2))
     (lines,) = load.told_on_papers(ordered).values()
     assert lines[-1] == SENTENCE
-    assert any(line.startswith("Heel: ") and "%" in line for line in lines)
+    assert any(line.startswith("Heel: −") and "%" in line for line in lines)
     foot = ordered.current
     assert foot is not None
     thicker = replace(foot.design, thickness_mm=foot.design.thickness_mm + 1)
@@ -177,7 +178,9 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     headings = [dialog.table.model().headerData(column, across) for column in range(3)]
     second = app.case.record.current
     assert second is not None
-    assert headings[1:] == [f"{name} (95 %)" for name in (second.chosen, first.chosen)]
+    titles = [f"Variant {name}" for name in (second.chosen, first.chosen)]
+    assert headings[1:] == [f"{title} (95 %)" for title in titles]
+    assert [len(line) > 0 for line in dialog.area.text().split("\n")] == [True, True]
     assert all(len(row.cells) == 3 and row.cells[2] for row in dialog.table.rows)
     for view in (stage.insole, stage.foot):
         actor = view.scene.painter._plotter.actors["companion"]

@@ -6,6 +6,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
+from insole_core.contact.change_report import signed
 from insole_core.contact.dose import DoseCurve
 from insole_studio.texts import localised
 
@@ -59,7 +60,7 @@ class DoseChart(QWidget):
         for percent in dict.fromkeys((low, 0.0, high)):
             text = QRectF(0, place(0, percent).y() - 9, _LEFT_PX - 6, 18)
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(text, right, f"{localised(round(percent) + 0.0, '+.0f')} %")
+            painter.drawText(text, right, f"{signed(percent)} %")
         for dose in (0.0, end):
             middle = place(dose, low).x()
             text = QRectF(middle - 40, area.bottom() + 2, 40 + _RIGHT_PX, 18)

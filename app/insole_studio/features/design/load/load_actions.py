@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from insole_core.contact.change import PressureChange
-from insole_core.contact.change_report import REGION_WORDS
+from insole_core.contact.change_report import REGION_WORDS, signed
 from insole_core.contact.dose import Dose, DoseCurve
 from insole_core.contact.fit import Fitted
 from insole_core.insole.elements import Pelott
+from insole_studio.document.case_names import variant_heading
 from insole_studio.document.load_view import LoadView, Target
 from insole_studio.document.side_by_side import Beside
 from insole_studio.features.design.actions.view_actions import SideBySideActions
@@ -159,16 +160,21 @@ class LoadActions:
             dialog.reasons.say("")
             return
         told = [load.limits, load.limits_beside] if load.is_both else [load.limits]
-        pair = self._pair(dialog) if load.is_both else ("",)
-        dialog.reasons.say_all(_all_reasons(told, pair))  # before the rows, which make room for all
+        pair = self._pair(dialog) if load.is_both else ()
+        names = dialog.shortened(pair) or [""]
+        dialog.reasons.say_all(
+            _all_reasons(told, names)
+        )  # before the rows, which make room for all
         rows = [_row(name, text, told, load.problem) for name, text in _regions().items()]
-        areas = [_area_text(one, name) for one, name in zip(told, pair, strict=True)]
-        dialog.show_rows(rows, "   ".join(areas).strip(), pair if load.is_both else ())
+        areas = [_area_text(one, name) for one, name in zip(told, names, strict=True)]
+        dialog.show_rows(rows, "\n".join(filter(None, areas)), pair)
 
     def _pair(self, dialog: LoadDialog) -> tuple[str, str]:
-        """Return the names of both variants that are told."""
+        """Return what both variants are called that are told."""
         foot = self._case.record.current
-        return "" if foot is None else foot.chosen, str(dialog.against.currentData())
+        names = "" if foot is None else foot.chosen, dialog.against.currentData()
+        own, beside = map(variant_heading, names)
+        return own, beside
 
 
 def _area_text(told: PressureChange | None, name: str) -> str:
@@ -201,13 +207,13 @@ def _fit_text(fitted: Fitted | None) -> str:
 
 def _span_text(text: str, curve: DoseCurve) -> str:
     """Return a sentence with the changes that the heights of a curve make."""
-    low, high = map(_signed, curve.span)
+    low, high = map(_percent, curve.span)
     return fill(text, low=low, high=high)
 
 
 def _dose_text(dose: Dose, pad: str, percent: float) -> str:
     """Return which height reaches a change, with its own limits or why there are none."""
-    texts = {"dose": localised(dose.height_mm), "pad": pad, "percent": _signed(percent)}
+    texts = {"dose": localised(dose.height_mm), "pad": pad, "percent": _percent(percent)}
     told = dose.told
     if told.reason or told.limits is None:
         return fill(
@@ -215,7 +221,7 @@ def _dose_text(dose: Dose, pad: str, percent: float) -> str:
             reason=translate_core_message(told.reason),
             **texts,
         )
-    low, high = (_signed(limit) for limit in told.limits)
+    low, high = (_percent(limit) for limit in told.limits)
     return fill(
         tr("{pad}: by the model {dose} mm reach {percent}, between {low} and {high} (95 %)."),
         low=low,
@@ -238,8 +244,8 @@ def _cell(name: str, limits: PressureChange | None, problem: str) -> tuple[str, 
     told = limits.regions[name]
     if told.reason or told.percent is None or told.limits is None:
         return tr("cannot tell"), translate_core_message(told.reason)
-    low, high = (_rounded(limit) for limit in told.limits)
-    return f"{_signed(told.percent)} ({low} … {high})", ""
+    low, high = map(signed, told.limits)
+    return f"{_percent(told.percent)} ({low} … {high})", ""
 
 
 def _all_reasons(told: Sequence[PressureChange | None], names: Sequence[str]) -> list[str]:
@@ -265,12 +271,8 @@ def _reasons(told: PressureChange | None) -> list[str]:
     return [f"{', '.join(names)}: {reason}" for reason, names in regions.items()]
 
 
-def _signed(percent: float) -> str:
-    return f"{_rounded(percent)} %"
-
-
-def _rounded(percent: float) -> str:
-    return localised(round(percent) + 0.0, "+.0f")  # no negative zero
+def _percent(percent: float) -> str:
+    return f"{signed(percent)}\N{NO-BREAK SPACE}%"
 
 
 def _regions() -> dict[str, str]:

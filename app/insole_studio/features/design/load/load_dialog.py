@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from insole_core.contact.change import SENTENCE, WEIGHT_KG
 from insole_core.contact.load_case import Posture
+from insole_studio.document.case_names import variant_title
 from insole_studio.document.load_view import LoadQuestion
 from insole_studio.features.design.load.dose_chart import DoseChart
 from insole_studio.texts import tr, translate_core_message
@@ -30,6 +31,7 @@ from insole_studio.widgets.screen_room import Scrolled, bounded
 
 _WIDTH_PX, _TABLE_PX = 430, 190
 """So narrow that on a screen of 1366 pixels both views show the whole foot and insole beside it."""
+_NAME_PX = 84
 _FLAT = ""
 _USUAL_TARGET = -20.0
 
@@ -135,7 +137,7 @@ class LoadDialog(QDialog):
         self.against.clear()
         self.against.addItem(tr("a flat shoe"), _FLAT)
         for name in names:
-            self.against.addItem(name, name)
+            self.against.addItem(variant_title(name), name)
         self.against.show_value(before if before in names else instead)
         self._offer_both(self.against.currentData())
 
@@ -157,7 +159,7 @@ class LoadDialog(QDialog):
         rows
             Of the insole, and of the one beside it.
         pair
-            Names of both; none where there is one.
+            What both are called; none where there is one.
         """
         self._show_headings(pair)
         self.table.show_rows(rows)
@@ -165,10 +167,15 @@ class LoadDialog(QDialog):
         self._make_room()
 
     def _show_headings(self, pair: Sequence[str]) -> None:
-        limits = "(95 %)"
-        own, beside = pair or (tr("Peak pressure"), "")
+        limits, short = "(95 %)", self.shortened(pair)
+        own, beside = short or (tr("Peak pressure"), "")
         headings = f"{own} {limits}", f"{beside} {limits}" if beside else ""
-        self.table.show_headings([tr("Region"), *headings])
+        self.table.show_headings([tr("Region"), *headings], ["", *pair] if pair else ())
+
+    def shortened(self, names: Sequence[str]) -> list[str]:
+        """Return names so short that two of them have room beside each other."""
+        words = self.fontMetrics()
+        return [words.elidedText(name, Qt.TextElideMode.ElideRight, _NAME_PX) for name in names]
 
     def _make_room(self) -> None:
         """Grow with what is told, as far as the screen has room; beyond that it is scrolled."""

@@ -10,6 +10,7 @@ from insole_core.cases.case_record import FootRecord
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_studio.document.case_names import variant_heading
 from insole_studio.document.side_by_side import Beside, SideBySide
 from insole_studio.scene.guide_lines import NameLabel
 from insole_studio.texts import tr
@@ -21,6 +22,7 @@ NAME_OVER_MM = 72.0
 """Clear of the word for the toes, also where a millimetre is less than a pixel."""
 NAME_ROOM_MM = NAME_OVER_MM + 10.0
 """Height added to the view for the names."""
+_LONGEST_NAME = 14
 AT_HAND, OTHER = "#1668b8", "#5f666d"
 
 
@@ -70,6 +72,8 @@ def names_over(
         colors = AT_HAND, OTHER
     y = max(mesh.bounds_mm[1, 1], other.bounds_mm[1, 1]) + NAME_OVER_MM
     own, its = _words(foot, counterpart)
+    if counterpart.kind is Beside.VARIANT:
+        own, its = (_shortened(variant_heading(name)) for name in (own, its))
     return NameLabel(own, _over(mesh, y), colors[0]), NameLabel(its, _over(other, y), colors[1])
 
 
@@ -86,6 +90,11 @@ def _words(foot: FootRecord, counterpart: SideBySide) -> tuple[str, str]:
         return foot.chosen, counterpart.variant
     words = {Side.LEFT: tr("LEFT"), Side.RIGHT: tr("RIGHT")}
     return words[foot.side], words[foot.side.other]
+
+
+def _shortened(name: str) -> str:
+    """Return a name so short that it ends before that beside it begins."""
+    return name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1].rstrip()}…"
 
 
 def _over(mesh: TriangleMesh, y_mm: float) -> FloatArray:

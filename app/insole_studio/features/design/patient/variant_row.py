@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
+from insole_studio.document.case_names import variant_title
 from insole_studio.texts import tr
 from insole_studio.widgets.icons import icon
 
@@ -42,7 +43,7 @@ class VariantRow(QWidget):
         with QSignalBlocker(self.names):
             self.names.clear()
             for name in names:
-                self.names.addItem(tr("Variant {name}").format(name=name), name)
+                self.names.addItem(variant_title(name), name)
             self.names.setCurrentIndex(self.names.findData(chosen))
         self.setEnabled(bool(names))
         self._delete.setEnabled(len(names) > 1)
