@@ -23,6 +23,8 @@ from device_pictures import draw_devices
 from dialog_pictures import SCAN, fill_record, open_record, save, take_and_close, take_dialogs
 from hand import HANDS
 from journeys import JOURNEYS, SCALED, Circumstances, walk
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QPainter, QPen
 
 from insole_core.cases.case_file import read_case
 from insole_core.formats.ply import write_ply
@@ -34,7 +36,7 @@ from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.simulate import SimulationOptions, simulate_session
-from insole_studio.app.scripted import ScriptedWindow, grab
+from insole_studio.app.scripted import ScriptedWindow, grab, grab_window
 from insole_studio.features.design.load.load_dialog import LoadDialog
 from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
 from insole_studio.features.foot.rows import FootMap
@@ -52,6 +54,8 @@ SEED = 21
 """That of the example."""
 SMALL, LARGE = (1366, 768), (1600, 900)
 STAGE = (1366, 730)
+BORDER = 24
+"""Above and below a window that stands over the main one, px."""
 NOT_A_MARKER = ((460.0, 665.0), (550.0, 665.0), (550.0, 750.0), (460.0, 750.0))
 """Round something blue in the left view, colour px."""
 EDITS = HandEdits(
@@ -238,7 +242,17 @@ def take_pressure_change(paths: UserPaths, images: Path) -> None:
         dialog.go_on.click()
         dialog.weight.setValue(75.0)
         studio.settle()
-        studio.screenshot(images / "pressure-change.png")
+        window = studio.app.window
+        dialog.resize(dialog.width(), window.height() - 2 * BORDER)
+        dialog.move(window.mapToGlobal(QPoint(0, BORDER)))
+        studio.settle()
+        image = grab_window(studio.app)
+        painter = QPainter(image)  # the figures are told in a window of their own
+        painter.drawPixmap(0, BORDER, dialog.grab())
+        painter.setPen(QPen(Qt.GlobalColor.darkGray, 2))
+        painter.drawRect(0, BORDER, dialog.width(), dialog.height())
+        painter.end()
+        image.save(str(images / "pressure-change.png"))
 
 
 def take_devices(images: Path, language: str) -> None:

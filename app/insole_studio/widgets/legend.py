@@ -12,7 +12,7 @@ from insole_studio.scene.coloring import MISSING, Coloring, Swatch
 from insole_studio.texts import localised
 from insole_studio.widgets.layouts import FlowLayout, remove_widgets
 
-BAR_PX = 140
+BAR_PX, LEAST_BAR_PX = 140, 60
 NUMBER_PX = 72
 SWATCH_PX = 14
 WHOLE_FROM = 100.0
@@ -44,11 +44,11 @@ class Legend(QWidget):
 
     def sizeHint(self) -> QSize:
         """Return a size for title, strip and two numbers."""
-        return QSize(self.minimumSizeHint().width() + self._name_px + self._missing_px, 22)
+        return QSize(BAR_PX + 2 * NUMBER_PX + self._name_px + self._missing_px, 22)
 
     def minimumSizeHint(self) -> QSize:
-        """Return a size without the title, which is then shown as tooltip."""
-        return QSize(BAR_PX + 2 * NUMBER_PX, 22)
+        """Return a size with a short strip, without the title, which is then shown as tooltip."""
+        return QSize(LEAST_BAR_PX + 2 * NUMBER_PX, 22)
 
     @property
     def _name_px(self) -> int:
@@ -68,8 +68,9 @@ class Legend(QWidget):
         if self._coloring is None:
             return
         painter = QPainter(self)
-        start = self.width() - self.minimumSizeHint().width()
-        strip = QRectF(start + NUMBER_PX, 5, BAR_PX, self.height() - 10)
+        bar_px = max(LEAST_BAR_PX, min(BAR_PX, self.width() - 2 * NUMBER_PX))
+        start = self.width() - bar_px - 2 * NUMBER_PX
+        strip = QRectF(start + NUMBER_PX, 5, bar_px, self.height() - 10)
         gradient = QLinearGradient(strip.topLeft(), strip.topRight())
         for number, color in enumerate(self._coloring.colors):
             gradient.setColorAt(number / (len(self._coloring.colors) - 1), QColor(color))

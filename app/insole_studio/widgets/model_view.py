@@ -60,6 +60,7 @@ class ModelView(QWidget):
         self.numbers.hide()
         self._scale = ScaleBar()
         self._legend, self._swatches = Legend(), SwatchLegend()
+        self._left_px = 0
         self._empty = EmptyPage(self)  # without it, a window of its own would flash
         self._empty.chosen.connect(self.action_requested)
         self._pages = QStackedLayout()
@@ -85,16 +86,26 @@ class ModelView(QWidget):
         """Return a size for a narrow screen: without the buttons of directions, which have keys."""
         return QSize(*LEAST_PX)
 
+    def leave_room(self, left_px: int) -> None:
+        """Show everything right of a strip at the left edge that a window covers; 0 for none."""
+        left_px = max(0, min(left_px, self.width() - LEAST_PX[0]))
+        layout = self.layout()
+        assert layout is not None
+        layout.setContentsMargins(left_px, 0, 0, 0)
+        self._left_px = left_px
+        self._fit_presets()
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Show the buttons of directions where there is room for all of them."""
         super().resizeEvent(event)
         self._fit_presets()
 
     def _fit_presets(self) -> None:
-        beside_px = self.width() - self._presets.sizeHint().width() - 3 * MARGIN_PX
+        width_px = self.width() - self._left_px
+        beside_px = width_px - self._presets.sizeHint().width() - 3 * MARGIN_PX
         has_room = beside_px >= self._badge.least_px
         self._presets.setVisible(self._has_side and has_room)
-        self._badge.fit(beside_px if has_room else self.width() - 2 * MARGIN_PX)
+        self._badge.fit(beside_px if has_room else width_px - 2 * MARGIN_PX)
 
     def show_side(self, side: Side | None, *, mirrored: bool = False, scanned_on: str = "") -> None:
         """Show the side on the badge, and orient the medial and lateral presets by it.

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
+import pytest
+from image_colors import colors_of
 from pointing import LEFT
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
@@ -24,11 +26,22 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.document.side_by_side import Beside
 from insole_studio.features.design.load.load_dialog import LoadDialog
 from insole_studio.features.design.models.color_maps import MapKind
+from insole_studio.widgets.legend import SwatchLegend
 
 Settle = Callable[[], None]
 BESIDE_FOOT = Outline(
     source="drawn", points_mm=((150.0, 0.0), (190.0, 0.0), (190.0, 40.0), (150.0, 40.0))
 )
+
+
+@dataclass(frozen=True)
+class SmallScreen:
+    """What a window asks of its screen."""
+
+    room: QRect
+
+    def availableGeometry(self) -> QRect:  # noqa: N802
+        return self.room
 
 
 def act(app: Application, key: str) -> None:
@@ -267,3 +280,60 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     settle()
     assert load.change is None
     assert not any(one.isVisible() for one in app.window.findChildren(LoadDialog))
+
+
+@pytest.mark.display
+def test_on_a_small_screen_the_window_covers_no_part_of_the_insole(
+    app: Application, settle: Settle, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A laptop's 1366 × 768, with one insole and with two."""
+    room = QRect(0, 0, 1366, 768)
+    monkeypatch.setattr(LoadDialog, "screen", lambda _dialog: SmallScreen(room))
+    app.window.setGeometry(room)
+    act(app, "open_example")
+    settle()
+    scene = app.stage.insole.scene
+    wide_px = scene.width()
+    app.services.settings.pressure_change_read = True
+    act(app, "map_load")
+    (dialog,) = app.window.findChildren(LoadDialog)
+    dialog.weight.setValue(75)
+    settle()
+
+    def is_seen() -> bool:
+        """Whether the screen shows what is drawn of the insole, and none is under the window."""
+        meshes = [app.stage.insole_presenter.mesh, app.stage.insole_presenter.companion]
+        points = np.concatenate([mesh.vertices for mesh in meshes if mesh is not None])
+        at_px = scene.look.pixels_of(points)
+        corners = [
+            scene.surface.mapToGlobal(QPoint(*np.rint(xy).astype(int).tolist()))
+            for xy in (at_px.min(axis=0), at_px.max(axis=0))
+        ]
+        insole, legend = QRect(*corners), app.stage.insole.findChild(SwatchLegend)
+        assert isinstance(legend, SwatchLegend)
+        covering = dialog.frameGeometry()
+        beside = QRect(legend.mapToGlobal(QPoint(0, 0)), legend.size())
+        drawn = QRect(scene.surface.mapToGlobal(QPoint(0, 0)), scene.surface.size())
+        if not drawn.contains(insole) or any(map(covering.intersects, (insole, beside))):
+            return False
+        shown = colors_of(app.window.screen().grabWindow(0).toImage())
+        here = shown[insole.top() : insole.bottom(), insole.left() : insole.right()].astype(int)
+        return bool((here[..., 2] - here[..., 0] > 60).any())  # the blue of what is relieved
+
+    qtbot.waitUntil(is_seen)
+    assert room.contains(dialog.frameGeometry())
+    act(app, "variant_duplicate")
+    dialog.against.setCurrentIndex(1)
+    dialog.against.activated.emit(1)
+    dialog.both.click()
+    settle()
+    assert app.stage.insole_presenter.companion is not None
+    qtbot.waitUntil(is_seen)
+    assert room.contains(dialog.frameGeometry())
+
+    dialog.move(700, 0)  # over the other view the insole has all its room again
+    qtbot.waitUntil(lambda: scene.width() == wide_px)
+    dialog.move(0, 0)
+    qtbot.waitUntil(lambda: scene.width() < wide_px)
+    dialog.reject()
+    qtbot.waitUntil(lambda: scene.width() == wide_px)

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_studio.scene.coloring import MISSING, Coloring, Swatch
-from insole_studio.widgets.legend import Legend, SwatchLegend
+from insole_studio.widgets.legend import BAR_PX, LEAST_BAR_PX, Legend, SwatchLegend
 
 COLORING = Coloring(np.zeros(3), (0.0, 2.0), "Standard deviation of every vertex")
 
@@ -28,6 +28,23 @@ def test_missing_values_have_a_swatch(qtbot: QtBot, width: int) -> None:
     legend.show_coloring(replace(COLORING, missing="not measured"))
     assert _has_swatch(legend)
     assert legend.sizeHint().width() > wide + 14
+
+
+def test_where_there_is_little_room_the_strip_is_short_and_both_limits_are_whole(
+    qtbot: QtBot,
+) -> None:
+    legend = Legend()
+    qtbot.addWidget(legend)
+    legend.show_coloring(replace(COLORING, limits=(-100.0, 100.0)))
+    lefts = []
+    for width in (430, legend.minimumSizeHint().width()):  # no room for the title in either
+        legend.resize(width, 22)
+        image = legend.grab().toImage()
+        ground = image.pixelColor(0, 0)
+        ink = [x for x in range(width) if any(image.pixelColor(x, y) != ground for y in range(22))]
+        lefts.append(width - ink[0])
+        assert ink[0] > 0
+    assert lefts[0] - lefts[1] == BAR_PX - LEAST_BAR_PX
 
 
 def test_a_scale_that_ends_before_the_values_says_so(qtbot: QtBot) -> None:

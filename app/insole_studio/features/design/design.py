@@ -123,5 +123,5 @@ def make_design(services: AppServices, stage: DesignStage) -> Design:
         ),
         plantar=PlantarActions(services, stage.plantar, side_by_side, edit),
         shoe=shoe,
-        load=LoadActions(services, stage.load, side_by_side),
+        load=LoadActions(services, stage.load, side_by_side, stage.insole),
     )

@@ -18,6 +18,7 @@ from insole_studio.features.design.correction_names import name_of
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import fill, localised, tr, translate_core_message
+from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.row_table import TableRow
 
 if TYPE_CHECKING:
@@ -28,10 +29,21 @@ class LoadActions:
     """Shows how load moves: as colours in both views, and as a table in a window beside them."""
 
     def __init__(
-        self, services: AppServices, load: LoadView, side_by_side: SideBySideActions
+        self,
+        services: AppServices,
+        load: LoadView,
+        side_by_side: SideBySideActions,
+        view: ModelView,
     ) -> None:
+        """Connect to what is told.
+
+        Parameters
+        ----------
+        view
+            At whose left edge the window opens.
+        """
         self._services, self._case = services, services.case
-        self._load, self._side_by_side = load, side_by_side
+        self._load, self._side_by_side, self._view = load, side_by_side, view
         self._dialog: LoadDialog | None = None
         self._is_beside = False
         """Whether a variant stands beside because both are told."""
@@ -61,7 +73,8 @@ class LoadActions:
             dialog.finished.connect(self._close)
             dialog.offer_regions(_regions())
             self._show_variants()
-            dialog.show_beside_views()
+            dialog.covered.connect(self._view.leave_room)
+            dialog.show_beside(self._view)
             self._ask()
         self._dialog.raise_()
 
@@ -125,6 +138,7 @@ class LoadActions:
 
     def _close(self) -> None:
         self._dialog = None
+        self._view.leave_room(0)
         self._load.aim(None)
         self._load.ask(None)
         self._show_beside()

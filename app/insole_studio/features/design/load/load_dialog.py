@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, Signal
+from PySide6.QtGui import QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -30,7 +31,7 @@ from insole_studio.widgets.row_table import RowTable, TableRow
 from insole_studio.widgets.screen_room import Scrolled, bounded
 
 _WIDTH_PX, _TABLE_PX = 430, 190
-"""So narrow that on a screen of 1366 pixels both views show the whole foot and insole beside it."""
+"""So narrow that on a screen of 1366 pixels both views have room beside it."""
 _NAME_PX = 84
 _FLAT = ""
 _USUAL_TARGET = -20.0
@@ -47,9 +48,12 @@ class LoadDialog(QDialog):
 
     asked = Signal()
     """Another question is asked, or the page was read."""
+    covered = Signal(int)
+    """Emitted with the width of the strip at the left of a view that the window covers."""
 
     def __init__(self, *, is_read: bool, parent: QWidget | None) -> None:
         super().__init__(parent)
+        self._view: QWidget | None = None
         self.setWindowTitle(tr("Change of pressure"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(_WIDTH_PX, 0)  # else the words would be laid out in as few lines as can be
@@ -96,13 +100,40 @@ class LoadDialog(QDialog):
         for box in (self.fit, self.both):
             box.toggled.connect(self._ask)
 
-    def show_beside_views(self) -> None:
-        """Open at the left edge of the window, over what is no picture as far as there is room."""
+    def show_beside(self, view: QWidget) -> None:
+        """Open at the left edge of the window, and tell from now on what of a view it covers."""
         self.show()
-        window = self.parentWidget()
-        if window is not None:
-            beside = window.mapToGlobal(QPoint(0, (window.height() - self.height()) // 2))
-            self.move(beside)
+        window = view.window()
+        self.move(window.mapToGlobal(QPoint(0, (window.height() - self.height()) // 2)))
+        self._view = view
+        for watched in (view, window):
+            watched.installEventFilter(self)
+        self._tell_covered()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Tell what is covered after the view or its window has moved or changed its size."""
+        if event.type() in (QEvent.Type.Move, QEvent.Type.Resize):
+            self._tell_covered()
+        return super().eventFilter(watched, event)
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        """Tell what is covered now."""
+        super().moveEvent(event)
+        self._tell_covered()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Tell what is covered now."""
+        super().resizeEvent(event)
+        self._tell_covered()
+
+    def _tell_covered(self) -> None:
+        if self._view is None or not self.isVisible():
+            return
+        frame, at = self.frameGeometry(), self._view.mapToGlobal(QPoint(0, 0))
+        view = QRect(at, self._view.size())
+        is_at_left = frame.left() <= view.left() and frame.right() < view.right()
+        is_over = is_at_left and frame.intersects(view)
+        self.covered.emit(frame.right() + 1 - view.left() if is_over else 0)
 
     @property
     def is_read(self) -> bool:
