@@ -43,8 +43,8 @@ class SideBadge(QLabel):
         scanned_on
             Day of the earlier visit that the scan is of; empty for one of this visit.
         """
-        self.setVisible(side is not None)
         if side is None:
+            self.hide()
             self.clear()
             return
         word = tr("LEFT") if side is Side.LEFT else tr("RIGHT")
@@ -56,6 +56,7 @@ class SideBadge(QLabel):
             f"background: {COLORS[side]}; color: white; border-radius: 4px;"
             f" padding: 1px {_PADDING_PX}px; font-weight: 600;",
         )
+        self.show()  # last, so that its neighbours make room for it once
 
     @property
     def least_px(self) -> int:
