@@ -131,6 +131,8 @@ class _Built:
         self._wait()
         app.window.arrange()
         QApplication.processEvents()
+        while app.autosave.is_writing:  # else it writes after it has forgotten
+            QApplication.processEvents()
         app.autosave.forget()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         app.window.statusBar().clearMessage()  # a hint of what is below the pointer comes and goes

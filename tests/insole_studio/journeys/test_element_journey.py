@@ -29,6 +29,8 @@ from insole_studio.scene.scene_view import SceneView
 from insole_studio.texts import load_language
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.one_window
+
 MOST_ROWS = 16
 
 

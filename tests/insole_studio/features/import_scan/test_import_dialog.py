@@ -28,6 +28,8 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.features.import_scan.import_dialog import ImportDialog, SizeFields
 from insole_studio.services.questions import SameSide
 
+pytestmark = pytest.mark.one_window
+
 LEFT = Qt.MouseButton.LeftButton
 Open = Callable[[TriangleMesh], ImportDialog | None]
 
