@@ -6,7 +6,7 @@ import json
 import sys
 from pathlib import Path
 
-from conftest import plantar_foot
+from conftest import COARSE_MM, plantar_foot
 from image_colors import colors_of
 from PySide6.QtCore import QEventLoop, QPoint
 from PySide6.QtGui import QGuiApplication
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from insole_core.cases.scan_source import ScanSource
 from insole_core.geometry.arrays import IntArray
 from insole_core.geometry.side import Side
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import wait_for
 from insole_studio.scene.scene_view import SceneView
@@ -59,7 +60,8 @@ def main() -> None:
     app = build_application(qt, UserPaths(folder / "settings.json", folder / "autosave"))
     app.window.show()
     seen = {"window is within": is_within(app.window)}
-    app.case.open_foot(plantar_foot(Side.LEFT), ScanSource("mesh", "/nowhere", "0" * 64))
+    design = InsoleDesign(Side.LEFT, grid_mm=COARSE_MM)
+    app.case.open_foot(plantar_foot(Side.LEFT), ScanSource("mesh", "/nowhere", "0" * 64), design)
     wait_for(app.jobs)
     app.features.export.open()
     export = app.features.export.stage
