@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 from hands import Hands
 
-from insole_core.cases.case_file import read_case
 from insole_core.formats.obj import write_obj
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott, Posting
-from insole_core.resources import resource_path
 from insole_core.scans.mesh_file import read_mesh
+from insole_core.simulate import FootShape, build_foot
 from insole_core.workflows.foot_landmarks import metatarsal_line
 
 pytestmark = pytest.mark.slow
@@ -25,9 +24,7 @@ PAIR_ACTIONS, SINGLE_ACTIONS = 12, 9
 
 @pytest.fixture(scope="module")
 def right_foot() -> TriangleMesh:
-    current = read_case(resource_path("example/example.insole")).current
-    assert current is not None
-    return current.foot.mesh
+    return build_foot(FootShape(side=Side.RIGHT), np.random.default_rng(2), cell_mm=4.0).mesh
 
 
 def mirrored(mesh: TriangleMesh) -> TriangleMesh:
@@ -79,7 +76,6 @@ def test_both_feet_are_prescribed_mirrored_and_exported_together(
         assert isinstance(posting, Posting)
         assert posting.rearfoot_deg == 4.0
         assert foot.design.thickness_mm == 4.0
-        # Only the right foot has outlines of pictures, which tell its ball from a surface alone.
         assert pad.centre_mm[0] * medial == pytest.approx(
             left.design.corrections[0].centre_mm[0], abs=0.8
         )
