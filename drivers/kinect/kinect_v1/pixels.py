@@ -54,8 +54,18 @@ def pack(pixels: RawArray, bits: int) -> ByteArray:
     -------
     (n bits / 8,) uint8
     """
-    wide = pixels.reshape(-1, 1).astype(">u2").view(np.uint8)
-    return np.packbits(np.unpackbits(wide, axis=1)[:, 16 - bits :])
+    groups = pixels.astype(np.uint64).reshape(-1, 8) & np.uint64((1 << bits) - 1)
+    packed = np.empty(len(groups) * bits, np.uint8)
+    for first_bit in (0, 8 * bits - 64):
+        word = np.zeros(len(groups), np.uint64)
+        for i in range(8):
+            shift = first_bit + 64 - bits * (i + 1)
+            if 0 <= shift < 64:
+                word |= groups[:, i] << np.uint64(shift)
+            elif -bits < shift < 0:
+                word |= groups[:, i] >> np.uint64(-shift)
+        np.ndarray(word.shape, ">u8", packed, first_bit // 8, (bits,))[:] = word
+    return packed
 
 
 def decode_image(data: ByteArray, mode: StreamMode) -> ByteArray | RawArray:
