@@ -15,7 +15,7 @@ from kinect_v1.pixels import encode_image
 from kinect_v1.usb_bus import UsbBus
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def images() -> Images:
     """Three pictures of every mode for every sensor."""
     return {
@@ -27,10 +27,8 @@ def images() -> Images:
     }
 
 
-@pytest.fixture(scope="module")
-def footage(
-    images: Images,
-) -> Footage:
+@pytest.fixture(scope="package")
+def footage(images: Images) -> Footage:
     """The same, packed as the sensors send them."""
     return {
         serial: {

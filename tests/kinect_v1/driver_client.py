@@ -25,19 +25,19 @@ PATIENT = CameraSettings(watchdog_s=10.0)
 """The emulator is slower than a device."""
 
 
-def start(camera: KinectCamera, request: dict[str, Any]) -> dict[str, Stream]:
+def start(camera: KinectCamera, modes: dict[str, str]) -> dict[str, Stream]:
     streams = {}
-    if "depth" in request:
-        streams["depth"] = camera.start_depth(MODES[request["depth"]])
-    if "video" in request:
-        streams["video"] = camera.start_video(MODES[request["video"]])
+    if "depth" in modes:
+        streams["depth"] = camera.start_depth(MODES[modes["depth"]])
+    if "video" in modes:
+        streams["video"] = camera.start_video(MODES[modes["video"]])
     return streams
 
 
 def stream(request: dict[str, Any], out: Path, bus: UsbBus) -> dict[str, Any]:
-    """Read frames of all sensors at the same time."""
-    cameras = [open_camera(serial, PATIENT, bus) for serial in request["serials"]]
-    running = {camera.serial: start(camera, request) for camera in cameras}
+    """Read frames of all sensors at the same time, each in its modes."""
+    cameras = [open_camera(serial, PATIENT, bus) for serial in request["modes"]]
+    running = {camera.serial: start(camera, request["modes"][camera.serial]) for camera in cameras}
     found: dict[str, Any] = {}
     for camera in cameras:
         counts = {}
@@ -58,7 +58,7 @@ def stream(request: dict[str, Any], out: Path, bus: UsbBus) -> dict[str, Any]:
 def share_controller(request: dict[str, Any], out: Path, bus: UsbBus) -> dict[str, Any]:
     """Stream from two sensors on one controller: together, then one after the other."""
     one, other = (open_camera(serial, PATIENT, bus) for serial in request["serials"])
-    start(one, request)
+    start(one, request["modes"])
     try:
         other.start_depth()
     except KinectError as error:

@@ -1,7 +1,7 @@
 """What Debian's unmodified libfreenect gets from the sensors on a bus; the standard library only.
 
-Usage: freenect_client.py REQUEST OUT. The request (JSON) names serial numbers, formats and a number
-of frames; frames and tables of depths are written to the folder OUT, the rest to OUT/result.json.
+Usage: freenect_client.py REQUEST OUT. The request (JSON) names formats by serial number, and how
+many frames; these and tables of depths are written to the folder OUT, the rest to OUT/result.json.
 """
 
 from __future__ import annotations
@@ -78,10 +78,11 @@ def load() -> Any:
 class Device:
     """One sensor, open and streaming."""
 
-    def __init__(self, library: Any, context: Any, serial: str, request: dict[str, Any]) -> None:
+    def __init__(self, library: Any, context: Any, serial: str, modes: dict[str, str]) -> None:
         self.library = library
         self.serial = serial
-        self.frames: dict[str, list[bytes]] = {"depth": [], "video": []}
+        self.kinds = list(modes)
+        self.frames: dict[str, list[bytes]] = {kind: [] for kind in modes}
         self.callbacks = []
         self.handle = ctypes.c_void_p()
         code = library.freenect_open_device_by_camera_serial(
@@ -89,11 +90,11 @@ class Device:
         )
         if code != 0:
             raise SystemExit(f"{serial} cannot be opened: {code}")
-        if "depth" in request:
-            mode = library.freenect_find_depth_mode(1, DEPTH_FORMATS[request["depth"]])
+        if "depth" in modes:
+            mode = library.freenect_find_depth_mode(1, DEPTH_FORMATS[modes["depth"]])
             self.start("depth", mode)
-        if "video" in request:
-            mode = library.freenect_find_video_mode(*VIDEO_FORMATS[request["video"]])
+        if "video" in modes:
+            mode = library.freenect_find_video_mode(*VIDEO_FORMATS[modes["video"]])
             self.start("video", mode)
 
     def start(self, kind: str, mode: Mode) -> None:
@@ -109,8 +110,11 @@ class Device:
             if getattr(self.library, name)(*arguments) != 0:
                 raise SystemExit(f"{name} failed on {self.serial}")
 
-    def close(self, kinds: list[str]) -> None:
-        for kind in kinds:
+    def is_short_of(self, wanted: int) -> bool:
+        return any(len(self.frames[kind]) < wanted for kind in self.kinds)
+
+    def close(self) -> None:
+        for kind in self.kinds:
             getattr(self.library, f"freenect_stop_{kind}")(self.handle)
         self.library.freenect_close_device(self.handle)
 
@@ -132,21 +136,20 @@ def run(request: dict[str, Any], folder: Path) -> None:
     if library.freenect_init(ctypes.byref(context), None) != 0:
         raise SystemExit("freenect_init failed")
     library.freenect_select_subdevices(context, CAMERA_ONLY)
-    kinds = [kind for kind in ("depth", "video") if kind in request]
-    devices = [Device(library, context, serial, request) for serial in request["serials"]]
-    wanted = request.get("frames", 0) if kinds else 0
+    devices = [Device(library, context, *one) for one in request["modes"].items()]
+    wanted = request.get("frames", 0)
     deadline = time.monotonic() + request.get("limit_s", LIMIT_S)
-    while any(len(d.frames[kind]) < wanted for d in devices for kind in kinds):
+    while any(device.is_short_of(wanted) for device in devices):
         if time.monotonic() > deadline:
             break
         library.freenect_process_events_timeout(context, ctypes.byref(TimeValue(0, 20_000)))
     result = {}
     for device in devices:
         result[device.serial] = device.save_table(folder)
-        for kind in kinds:
-            for number, frame in enumerate(device.frames[kind]):
+        for kind, frames in device.frames.items():
+            for number, frame in enumerate(frames):
                 (folder / f"{device.serial}-{kind}-{number}").write_bytes(frame)
-        device.close(kinds)
+        device.close()
     (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
 
 

@@ -54,24 +54,29 @@ def find(image: np.ndarray, sent: list[np.ndarray]) -> int:
     return next((i for i, other in enumerate(sent) if np.array_equal(image, other)), -1)
 
 
+MOST = {"depth": "depth-11", "video": "bayer-1280x1024"}
+
+
 @pytest.mark.parametrize(
-    "modes",
+    "arranged",
     [
-        {"depth": "depth-11", "video": "bayer-1280x1024"},
-        {"depth": "depth-10", "video": "bayer-640x480"},
-        {"depth": "depth-11", "video": "ir-640x488"},
-        {"video": "ir-1280x1024"},
+        [MOST, MOST, MOST],
+        [
+            {"depth": "depth-10", "video": "bayer-640x480"},
+            {"depth": "depth-11", "video": "ir-640x488"},
+            {"video": "ir-1280x1024"},
+        ],
     ],
-    ids=lambda modes: "+".join(modes.values()),
+    ids=["most", "different"],
 )
 def test_every_frame_of_three_sensors_is_what_was_sent(
-    modes: dict[str, str], three: list[dict[str, Any]], tmp_path: Path, images: Images
+    arranged: list[dict[str, str]], three: list[dict[str, Any]], tmp_path: Path, images: Images
 ) -> None:
+    modes_of = dict(zip(SERIALS, arranged, strict=True))
     with emulated_usbfs(tmp_path, *three) as usbfs:
-        request = {"serials": SERIALS, "frames": WANTED, **modes}
-        found = run_driver(usbfs, "stream", request, tmp_path)
-    for serial in SERIALS:
-        assert all(number == 0 for number in found[serial]["discarded"].values())
+        found = run_driver(usbfs, "stream", {"frames": WANTED, "modes": modes_of}, tmp_path)
+    for serial, modes in modes_of.items():
+        assert found[serial]["discarded"] == dict.fromkeys(modes, 0)
         for kind, mode in modes.items():
             delivered = np.load(tmp_path / f"{serial}-{kind}.npy")
             numbers = [find(image, images[serial][mode]) for image in delivered]
@@ -88,13 +93,14 @@ def test_a_device_that_is_unlike_ours_in_all_that_is_open(
         describe_kinect(tmp_path, model, serial, footage, seed=i, controller=i + 1, flaw="odd")
         for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True))
     ]
-    request = {"serials": SERIALS, "frames": 2, "depth": "depth-11", "video": "bayer-1280x1024"}
+    modes = {"depth": "depth-11", "video": "bayer-640x480"}
+    request = {"frames": 2, "modes": dict.fromkeys(SERIALS, modes)}
     with emulated_usbfs(tmp_path, *odd) as usbfs:
         found = run_driver(usbfs, "stream", request, tmp_path)
     for i, serial in enumerate(SERIALS):
         assert found[serial]["calibration"]["constant_shift"] == make_calibration(i).constant_shift
         assert found[serial]["discarded"] == {"depth": 0, "video": 0}
-        for kind, mode in (("depth", "depth-11"), ("video", "bayer-1280x1024")):
+        for kind, mode in modes.items():
             delivered = np.load(tmp_path / f"{serial}-{kind}.npy")
             first, second = (find(image, images[serial][mode]) for image in delivered)
             assert first >= 0
@@ -103,7 +109,8 @@ def test_a_device_that_is_unlike_ours_in_all_that_is_open(
 
 def test_models_and_calibration_of_each_sensor(three: list[dict[str, Any]], tmp_path: Path) -> None:
     with emulated_usbfs(tmp_path, *three) as usbfs:
-        found = run_driver(usbfs, "stream", {"serials": SERIALS, "frames": 0}, tmp_path)
+        request = {"frames": 0, "modes": {serial: {} for serial in SERIALS}}
+        found = run_driver(usbfs, "stream", request, tmp_path)
     for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True)):
         expected = make_calibration(i).as_dict()
         expected["zero_plane"]["rgb_distance_cm"] = RGB_DISTANCE_CM
@@ -137,7 +144,7 @@ def test_damage_on_the_way_and_in_the_commands(
     faults.append({"kind": "full reply", "at": 5, "count": 3})
     kinect = describe_kinect(tmp_path, Model.WINDOWS, serial, footage, faults=faults)
     with emulated_usbfs(tmp_path, kinect) as usbfs:
-        request = {"serials": [serial], "frames": 10, "depth": "depth-11"}
+        request = {"frames": 10, "modes": {serial: {"depth": "depth-11"}}}
         found = run_driver(usbfs, "stream", request, tmp_path)
     sent = images[serial]["depth-11"]
     numbers = [find(image, sent) for image in np.load(tmp_path / f"{serial}-depth.npy")]
@@ -165,7 +172,8 @@ def test_two_sensors_share_a_controller_one_after_the_other(
         for serial in SERIALS[:2]
     ]
     with emulated_usbfs(tmp_path, *pair) as usbfs:
-        request = {"serials": SERIALS[:2], "depth": "depth-11", "video": "bayer-640x480"}
+        modes = {"depth": "depth-11", "video": "bayer-640x480"}
+        request = {"serials": SERIALS[:2], "modes": modes}
         found = run_driver(usbfs, "share_controller", request, tmp_path)
     kind, text = found["together"]
     assert kind == "BandwidthError"
@@ -205,7 +213,7 @@ def test_a_second_program_is_told_and_a_killed_one_leaves_nothing_behind(
     """Three processes on one sensor: one streams, one is refused, one follows the killed first."""
     serial = SERIALS[0]
     kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, footage)
-    request = {"serials": [serial], "frames": 2, "depth": "depth-11"}
+    request = {"serials": [serial], "frames": 2, "modes": {serial: {"depth": "depth-11"}}}
     (tmp_path / "request.json").write_text(json.dumps(request), encoding="utf-8")
     with emulated_usbfs(tmp_path, kinect) as usbfs:
         arguments = (CLIENT, "hold", tmp_path / "request.json", tmp_path)
