@@ -7,7 +7,6 @@ import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator
 from functools import cache, partial
-from inspect import Parameter, signature
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -15,6 +14,7 @@ import numpy as np
 import pyrage
 import pytest
 from canned_questions import CannedQuestions
+from coarse_designs import begin_coarse
 from found_once import SharedResults, share_results
 from hands import MANUAL, MANUAL_SIZE, SMALL_SIZE, Hands
 from one_window import OneWindow
@@ -30,7 +30,6 @@ from insole_core.evaluation.report_files import WRITERS, write_json
 from insole_core.foot.foot import Foot
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.records import records as open_module
 from insole_core.records.records import Records
 from insole_studio.app.bootstrap import Application, build_application, qt_application
@@ -44,7 +43,6 @@ from insole_studio.user_paths import UserPaths
 from tests.patience import PATIENCE_MS
 
 LENGTH_MM = 250.0
-COARSE_MM = 2.0
 MOST_MB = 1000.0
 """Of a process between two modules, half of it what it imports."""
 MAKE_FILE = open_module._make_file
@@ -195,15 +193,12 @@ def undrawn(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> 
 
 @pytest.fixture
 def coarse(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let designs begin with a coarse grid, unless a test is marked as fine: a quarter of the work.
+    """Let designs begin with a coarse grid, unless a test is marked as fine.
 
-    It is the coarsest of which no check warns. What a window does with an insole is the same.
+    What a window or a command does with an insole is the same.
     """
     if request.node.get_closest_marker("fine") is None:
-        begun, given = InsoleDesign.__init__, signature(InsoleDesign).parameters.values()
-        defaults = {p.name: p.default for p in given if p.default is not Parameter.empty}
-        defaults["grid_mm"] = COARSE_MM
-        monkeypatch.setattr(begun, "__defaults__", tuple(defaults.values()))
+        begin_coarse(monkeypatch)
 
 
 def aim_only(canvas: ImageCanvas) -> None:

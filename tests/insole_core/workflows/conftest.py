@@ -1,10 +1,14 @@
-"""What the tests of workflows share: what is found in equal scans, and made of equal feet."""
+"""What the tests of workflows share: what is found in equal scans, and made of equal feet.
+
+Their designs begin on a coarse grid: a workflow does the same with it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 import pytest
+from coarse_designs import begin_coarse
 from found_once import SharedResults, share_results
 
 
@@ -17,4 +21,5 @@ def kept() -> SharedResults:
 def same_results(kept: SharedResults) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         share_results(kept, patch)
+        begin_coarse(patch)
         yield

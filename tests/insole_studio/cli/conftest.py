@@ -1,14 +1,41 @@
-"""What the tests of the commands share: sessions that are simulated once."""
+"""What the tests of the commands share: sessions and parsers that are made once; coarse designs."""
 
 from __future__ import annotations
 
+import argparse
+from collections.abc import Collection, Iterator
 from functools import cache
 
 import pytest
+from coarse_designs import begin_coarse
 
 from insole_core import simulate
+from insole_studio.cli import main
 
 SIMULATED = cache(simulate.simulate_session)
+
+
+@pytest.fixture(scope="package", autouse=True)
+def coarse_designs() -> Iterator[None]:
+    """Let each command design on the coarse grid."""
+    with pytest.MonkeyPatch.context() as patch:
+        begin_coarse(patch)
+        yield
+
+
+@pytest.fixture(scope="package", autouse=True)
+def same_parsers() -> Iterator[None]:
+    """Let calls of one command share its parser, which parses none differently from the other."""
+    parser_of = cache(main.command_parser)
+
+    def parser(words: Collection[str] | None = None) -> argparse.ArgumentParser:
+        if words is None:
+            return parser_of()
+        return parser_of(tuple(c.NAME for c in main.COMMANDS if c.NAME in words))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(main, "command_parser", parser)
+        yield
 
 
 @pytest.fixture

@@ -117,7 +117,7 @@ def test_prescription_raises_its_pelott(right_foot: Path, tmp_path: Path) -> Non
         prescription = tmp_path / f"{name}.json"
         prescription.write_text(
             json.dumps({"format": "insole-design", "version": 1, "side": "right",
-                        "corrections": corrections, "thickness_mm": 3, "grid_mm": 0.5})
+                        "corrections": corrections, "thickness_mm": 3, "grid_mm": 1.0})
         )  # fmt: skip
         out = tmp_path / f"{name}.stl"
         call = ["design", str(right_foot), "--side", "right", "--out", str(out)]
@@ -277,7 +277,8 @@ def test_existing_output_survives_a_failure(tmp_path: Path) -> None:
 def test_simulation_is_a_session_with_its_truth(tmp_path: Path) -> None:
     out = tmp_path / "session.zip"
     assert run(["simulate", str(out), "--ideal", "--color-size", "640x480"]) == 0
-    assert run(["reconstruct", str(out), "--out", str(tmp_path / "foot.ply")]) == 0
+    call = ["reconstruct", str(out), "--method", "thesis", "--out", str(tmp_path / "foot.ply")]
+    assert run(call) == 0
 
 
 # A shell starts what runs in its background deaf to SIGINT, and nohup deaf to SIGHUP; so are the

@@ -334,7 +334,7 @@ def full_disk(tmp_path: Path) -> Iterator[Path]:
 
 
 FILLING = {
-    "r.ply": f"reconstruct {SMALL_SESSION} --out disk/r.ply",
+    "r.ply": f"reconstruct {SMALL_SESSION} --method thesis --out disk/r.ply",
     "m.json": "measure f.ply --side right --report disk/m.json",
     "i.stl": "design f.ply --side right --out disk/i.stl",
     "sheet.pdf": "design f.ply --side right --out i.stl --job-sheet disk/sheet.pdf",
