@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
+from found_once import share_bases
 
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import place_foot
@@ -17,6 +18,14 @@ from insole_core.geometry.side import Side
 from insole_core.scans.mesh_file import read_mesh
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
+
+
+@pytest.fixture(scope="package", autouse=True)
+def same_bases() -> Iterator[None]:
+    """Let insoles of one foot share their surface before pads, as they do in the window."""
+    with pytest.MonkeyPatch.context() as patch:
+        share_bases(patch)
+        yield
 
 
 @pytest.fixture(scope="session")
