@@ -261,12 +261,12 @@ def test_points_become_a_surface_that_faces_outwards(
     assert any("A surface was laid through" in note for note in read.notes)
 
 
-def test_points_far_from_all_others_are_left_out(left_mesh, tmp_path):
-    stray = np.random.default_rng(3).uniform(-400, 400, (len(left_mesh.vertices) // 20, 3))
-    trimesh.PointCloud(np.concatenate([left_mesh.vertices, stray])).export(tmp_path / "foot.ply")
+def test_points_far_from_all_others_are_left_out(small_foot, tmp_path):
+    stray = np.random.default_rng(3).uniform(-400, 400, (len(small_foot.vertices) // 20, 3))
+    trimesh.PointCloud(np.concatenate([small_foot.vertices, stray])).export(tmp_path / "foot.ply")
     read = read_mesh(tmp_path / "foot.ply")
     assert np.ptp(read.mesh.vertices, axis=0) == pytest.approx(
-        np.ptp(left_mesh.vertices, axis=0), abs=4.0
+        np.ptp(small_foot.vertices, axis=0), abs=4.0
     )
     assert any("far from all others were left out" in note for note in read.notes)
 

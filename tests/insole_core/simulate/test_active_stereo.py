@@ -72,7 +72,7 @@ def test_the_same_dots_are_in_both_pictures_apart_by_the_disparity(wall: StereoR
 
 def test_stereo_cameras_below_and_a_kinect_behind_make_one_foot() -> None:
     simulated = simulate_session(
-        SimulationOptions(seed=3, distance_mm=520, frames=2, foot_cell_mm=2.5, sensor="mixed")
+        SimulationOptions(seed=3, distance_mm=520, frames=1, foot_cell_mm=2.5, sensor="mixed")
     )
     result = reconstruct(simulated.session)
     families = [view.family.name for view in result.views if view.family is not None]

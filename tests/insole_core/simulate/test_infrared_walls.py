@@ -50,9 +50,13 @@ def simulated() -> SimulatedSession:
     return simulate_session(OPTIONS)
 
 
-def likeness(picture: FloatArray, raw: FloatArray, device: Device) -> float:
-    """Correlation of a picture with the device's dots at some raw numbers, NaN = not known."""
-    dots = DotPattern.draw(dots_of(device)).seen()
+@pytest.fixture(scope="module")
+def dots(device: Device) -> FloatArray:
+    return DotPattern.draw(dots_of(device)).seen()
+
+
+def likeness(picture: FloatArray, raw: FloatArray, dots: FloatArray) -> float:
+    """Correlation of a picture with a device's dots at some raw numbers, NaN = not known."""
     v, u = np.nonzero(np.isfinite(raw))
     across = np.rint(u * 8 + raw[v, u]).astype(int)
     return float(np.corrcoef(picture[v, u], dots[v, across])[0, 1])
@@ -62,13 +66,15 @@ def known(depth: np.ndarray) -> FloatArray:
     return np.where(depth < NO_READING, depth, np.nan)
 
 
-def test_a_wall_shows_the_dots_where_its_depth_says(written: Path, device: Device) -> None:
+def test_a_wall_shows_the_dots_where_its_depth_says(
+    written: Path, device: Device, dots: FloatArray
+) -> None:
     (wall,) = read_infrared_walls(written / device.sensor.serial, device.sensor.serial)
     picture = wall.brightness.astype(float)
 
     assert np.isfinite(wall.depth.raw).mean() > 0.9
-    assert likeness(picture, wall.depth.raw, device) > 0.8
-    assert likeness(picture, wall.depth.raw + 24, device) < 0.2
+    assert likeness(picture, wall.depth.raw, dots) > 0.8
+    assert likeness(picture, wall.depth.raw + 24, dots) < 0.2
 
 
 def test_every_sensor_has_walls_with_its_calibration(written: Path) -> None:
@@ -79,7 +85,7 @@ def test_every_sensor_has_walls_with_its_calibration(written: Path) -> None:
         assert read_sensor(folder).serial == device.sensor.serial
 
 
-def test_a_foot_shows_the_dots_of_the_walls(simulated: SimulatedSession, device: Device) -> None:
+def test_a_foot_shows_the_dots_of_the_walls(simulated: SimulatedSession, dots: FloatArray) -> None:
     view = simulated.session.views[0]
     assert view.dots is not None
     assert view.dots.pictures is not None
@@ -87,7 +93,7 @@ def test_a_foot_shows_the_dots_of_the_walls(simulated: SimulatedSession, device:
 
     assert view.dots.pictures.count == 2
     assert not np.array_equal(first, second)
-    assert likeness(first.astype(float), known(view.read_depth(0)), device) > 0.6
+    assert likeness(first.astype(float), known(view.read_depth(0)), dots) > 0.6
 
 
 def _hits(points: list[list[float]]) -> Hits:

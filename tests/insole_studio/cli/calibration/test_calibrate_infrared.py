@@ -63,6 +63,11 @@ class Learnt:
         return [*call, "--check", str(reference)]
 
 
+def other_dots(pattern: Float32Array, number: int) -> Float32Array:
+    """Dots that have nothing in common with those of the pattern in the same rows."""
+    return np.roll(pattern, 60 * number, axis=0)
+
+
 @pytest.fixture(scope="module")
 def learnt(tmp_path_factory: pytest.TempPathFactory) -> Learnt:
     folder = tmp_path_factory.mktemp("infrared")
@@ -122,7 +127,7 @@ def test_one_wall_says_whether_the_pattern_still_holds(
     assert "A shift along the rows that is the same on all of the wall cannot be seen" in said
 
     drifted = learnt.copied(tmp_path)
-    _half(drifted)  # another wall than that of the check
+    _half(drifted, learnt.pattern)  # another wall than that of the check
     raw = DEVICE.distorted(PLANES[0]) + 0.8  # a tenth of a pixel
     write_infrared(drifted / "infrared_00.png", 64 * infrared_picture(learnt.pattern, raw, 9))
     assert run(learnt.checking(drifted, learnt.out)) == 1
@@ -136,7 +141,7 @@ def test_one_wall_says_whether_the_pattern_still_holds(
     assert run(learnt.checking(drifted, learnt.out)) == 1
     assert "infrared_00.png: The pattern has drifted by 0.1" in last_line()
 
-    other = 64 * infrared_picture(dots(2), raw, 9)
+    other = 64 * infrared_picture(other_dots(learnt.pattern, 1), raw, 9)
     write_infrared(drifted / "infrared_00.png", other)
     assert run(learnt.checking(drifted, learnt.out)) == 1
     assert "shows another pattern" in last_line()
@@ -212,39 +217,39 @@ def test_walls_may_be_shifted_against_their_depth(
     assert "the pattern still holds" in capsys.readouterr().out
 
 
-def _fewer(walls: Path) -> None:
+def _fewer(walls: Path, _pattern: Float32Array) -> None:
     for number in (3, 4):
         (walls / f"infrared_{number:02d}.png").unlink()
 
 
-def _without_depth(walls: Path) -> None:
+def _without_depth(walls: Path, _pattern: Float32Array) -> None:
     (walls / "depth_02.png").unlink()
 
 
-def _half(walls: Path) -> None:
+def _half(walls: Path, _pattern: Float32Array) -> None:
     path = walls / "infrared_02.png"
     path.write_bytes(path.read_bytes()[:100])
 
 
-def _small(walls: Path) -> None:
+def _small(walls: Path, _pattern: Float32Array) -> None:
     write_infrared(walls / "infrared_02.png", np.full((240, 320), 5000.0))
 
 
-def _saturated(walls: Path) -> None:
+def _saturated(walls: Path, _pattern: Float32Array) -> None:
     write_infrared(walls / "infrared_02.png", np.full((480, 640), 65535.0))
 
 
-def _dark(walls: Path) -> None:
+def _dark(walls: Path, _pattern: Float32Array) -> None:
     write_infrared(walls / "infrared_02.png", np.full((480, 640), 520.0))
 
 
-def _of_another(walls: Path) -> None:
+def _of_another(walls: Path, _pattern: Float32Array) -> None:
     write_sensor_beside(walls / "other", replace(SENSOR, serial="SIM2")).rename(
         walls / "sensor.json"
     )
 
 
-def _no_plane(walls: Path) -> None:
+def _no_plane(walls: Path, _pattern: Float32Array) -> None:
     hill = 40 * np.exp(-((np.mgrid[-1:1:480j, -1:1:640j] * 2) ** 2).sum(0))
     raw = DEVICE.distorted(PLANES[0])
     for number in (2, 3):
@@ -252,10 +257,10 @@ def _no_plane(walls: Path) -> None:
         write_depth(walls / f"depth_{number:02d}.png", curved)
 
 
-def _all_unlike(walls: Path) -> None:
+def _all_unlike(walls: Path, pattern: Float32Array) -> None:
     for number in range(len(PLANES)):
         raw = DEVICE.distorted(PLANES[number])
-        picture = 64 * infrared_picture(dots(20 + number), raw, number)
+        picture = 64 * infrared_picture(other_dots(pattern, number), raw, number)
         write_infrared(walls / f"infrared_{number:02d}.png", picture)
 
 
@@ -278,14 +283,14 @@ def write_depth(path: Path, raw: np.ndarray) -> None:
     ],
 )
 def test_walls_that_teach_no_pattern_are_told_in_a_sentence(
-    spoil: Callable[[Path], None],
+    spoil: Callable[[Path, Float32Array], None],
     sentence: str,
     learnt: Learnt,
     tmp_path: Path,
     last_line: Callable[[], str],
 ) -> None:
     walls, out = learnt.copied(tmp_path), tmp_path / "reference.npz"
-    spoil(walls)
+    spoil(walls, learnt.pattern)
 
     assert run(learnt.learning(walls, out)) == 1
     assert sentence in last_line()
