@@ -77,32 +77,32 @@ def test_escape_gives_a_drag_up(opened: Application, view: SceneView) -> None:
     assert len(opened.case.history) == 0
 
 
-@pytest.mark.parametrize(("tool", "button"), [("orbit", LEFT), ("pelott", RIGHT)])
-def test_beside_the_foot_the_drag_turns_both_views(
-    opened: Application, view: SceneView, tool: str, button: Qt.MouseButton
-) -> None:
-    opened.window.actions_by_key[f"tool_{tool}"].trigger()
-    drag(view, QPoint(8, 8), QPoint(58, 8), button=button)
-    foot, insole = opened.stage.foot.scene.camera, opened.stage.insole.scene.camera
-    assert foot == insole
-    assert foot.azimuth_deg == pytest.approx(-20.0, abs=1.0)
-    assert len(opened.case.history) == 0
-    assert view.findChildren(QMenu) == []
+def test_beside_the_foot_the_drag_turns_both_views(opened: Application, view: SceneView) -> None:
+    for tool, button in (("orbit", LEFT), ("pelott", RIGHT)):
+        before_deg = view.camera.azimuth_deg
+        opened.window.actions_by_key[f"tool_{tool}"].trigger()
+        drag(view, QPoint(8, 8), QPoint(58, 8), button=button)
+        foot, insole = opened.stage.foot.scene.camera, opened.stage.insole.scene.camera
+        assert foot == insole
+        assert foot.azimuth_deg - before_deg == pytest.approx(-20.0, abs=1.0)
+        assert len(opened.case.history) == 0
+        assert view.findChildren(QMenu) == []
 
 
-@pytest.mark.parametrize("tool", ["outline", "posting", "turn", "pelott", "free_hand", "section"])
 def test_a_drag_that_misses_moves_nothing_and_says_how_to_turn(
-    opened: Application, view: SceneView, tool: str
+    opened: Application, view: SceneView
 ) -> None:
     """A hand that aims at a handle and misses keeps what it was aiming at."""
     said: list[str] = []
     opened.stage.hint_changed.connect(said.append)
-    opened.window.actions_by_key[f"tool_{tool}"].trigger()
-    before = view.camera
-    drag(view, QPoint(3, 3), QPoint(53, 23))
-    assert view.camera == before
-    assert len(opened.case.history) == 0
-    assert "right button" in said[-1]
+    for tool in ("outline", "posting", "turn", "pelott", "free_hand", "section"):
+        said.clear()
+        opened.window.actions_by_key[f"tool_{tool}"].trigger()
+        before = view.camera
+        drag(view, QPoint(3, 3), QPoint(53, 23))
+        assert view.camera == before
+        assert len(opened.case.history) == 0
+        assert "right button" in said[-1], tool
 
 
 def test_a_handle_is_grabbed_generously_and_does_not_jump(opened: Application) -> None:
@@ -157,14 +157,13 @@ def test_double_click_centres(opened: Application, view: SceneView) -> None:
     assert view.camera.focal_mm[:2] == pytest.approx((10.0, 60.0), abs=1.0)
 
 
-@pytest.mark.parametrize(
-    ("key", "preset"), list(zip("123456", Preset, strict=True)), ids=[p.value for p in Preset]
-)
-def test_number_keys_are_the_presets(opened: Application, key: str, preset: Preset) -> None:
+def test_number_keys_are_the_presets(opened: Application) -> None:
     opened.window.activateWindow()
-    QTest.keyClick(opened.window, Qt.Key(ord(key)))
-    assert opened.stage.foot.scene.camera.preset is preset
-    assert opened.stage.insole.scene.camera.preset is preset
+    keys = list(zip("123456", Preset, strict=True))
+    for key, preset in (*keys, keys[0]):  # the first one may be there from the start
+        QTest.keyClick(opened.window, Qt.Key(ord(key)))
+        assert opened.stage.foot.scene.camera.preset is preset
+        assert opened.stage.insole.scene.camera.preset is preset
 
 
 def test_typing_a_number_is_no_shortcut(opened: Application) -> None:

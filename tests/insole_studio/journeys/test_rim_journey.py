@@ -224,16 +224,21 @@ def test_the_selected_station_is_typed(designed: Application, chart: RimChart) -
 
 
 @pytest.mark.parametrize("name", ["foot", "insole"])
-@pytest.mark.parametrize(("preset", "way"), [
-    (Preset.MEDIAL, QPoint(0, -12)),
-    (Preset.PLANTAR, None),
-])  # fmt: skip
 def test_a_station_is_raised_in_the_views(
-    designed: Application, name: str, preset: Preset, way: QPoint | None
+    designed: Application, settle: Callable[[], None], name: str
 ) -> None:
     """From the side upwards; seen from below or above by a drag outwards."""
-    designed.stage.look(preset)
     view: SceneView = getattr(designed.stage, name).scene
+    before = finish(designed).rim
+    for preset, way in ((Preset.MEDIAL, QPoint(0, -12)), (Preset.PLANTAR, None)):
+        designed.stage.look(preset)
+        raise_station(designed, view, way)
+        act(designed, "undo")
+        settle()
+        assert finish(designed).rim == before
+
+
+def raise_station(designed: Application, view: SceneView, way: QPoint | None) -> None:
     before, steps = finish(designed).rim, len(designed.case.history)
     middle = view.look.pixels_of(np.array([0.0, 125.0, 0.0]))[0]
     start = in_view(view, 3)
@@ -364,15 +369,19 @@ def heights(app: Application) -> Any:
     return mesh.vertices[:, 2].copy()
 
 
-@pytest.mark.parametrize(
-    ("key", "place"),
-    [("device.cup", 41), ("device.flange", 50), ("device.fill", 9), ("base.contact_share", 4)],
-)
+PLACES = {"device.cup": 41, "device.flange": 50, "device.fill": 9, "base.contact_share": 4}
+
+
 def test_the_picture_follows_a_slider_without_waiting_for_a_rebuild(
-    designed: Application, settle: Callable[[], None], key: str, place: int
+    designed: Application, settle: Callable[[], None]
 ) -> None:
     act(designed, "tool_orbit")
     with_form(designed, settle)
+    for key, place in PLACES.items():
+        follow_slider(designed, settle, key, place)
+
+
+def follow_slider(designed: Application, settle: Callable[[], None], key: str, place: int) -> None:
     field, before = slider(designed, key), heights(designed)
     field.slider.setSliderDown(True)
     for number in range(place - 2, place + 1):

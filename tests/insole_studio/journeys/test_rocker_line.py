@@ -65,22 +65,22 @@ def way(view: SceneView, app: Application, ahead_mm: float) -> QPoint:
     return QPoint(*(round(float(way)) for way in end - start))
 
 
-@pytest.mark.parametrize("panel", ["insole", "foot"])
 def test_the_line_is_dragged_in_either_view(
-    rocked: Application, settle: Callable[[], None], panel: str
+    rocked: Application, settle: Callable[[], None]
 ) -> None:
-    view, steps = getattr(rocked.stage, panel).scene, len(rocked.case.history)
-    start = place(view)
-    drag(view, start, start + way(view, rocked, 6.0))
-    settle()
-    assert behind_mm(rocked) == pytest.approx(4.0, abs=1.0)
-    assert len(rocked.case.history) == steps + 1
-    assert rocked.case.history.undo_sentence == "Move the rocker line"
-    moved = place(view) - start - way(view, rocked, 6.0)
-    assert abs(moved.x()) + abs(moved.y()) < 8
-    rocked.window.actions_by_key["undo"].trigger()
-    settle()
-    assert behind_mm(rocked) == 10.0
+    for view in (rocked.stage.insole.scene, rocked.stage.foot.scene):
+        steps, start = len(rocked.case.history), place(view)
+        drag(view, start, start + way(view, rocked, 6.0))
+        settle()
+        assert behind_mm(rocked) == pytest.approx(4.0, abs=1.0)
+        assert len(rocked.case.history) == steps + 1
+        assert rocked.case.history.undo_sentence == "Move the rocker line"
+        moved = place(view) - start - way(view, rocked, 6.0)
+        assert abs(moved.x()) + abs(moved.y()) < 8
+        rocked.window.actions_by_key["undo"].trigger()
+        settle()
+        assert behind_mm(rocked) == 10.0
+        assert len(rocked.case.history) == steps
 
 
 def test_a_drag_ends_at_the_range_and_escape_takes_it_back(
@@ -113,11 +113,8 @@ def test_arrow_keys_move_the_line_and_are_one_step(
     assert len(rocked.case.history) == steps + 1
 
 
-def test_another_selection_takes_the_handle_away(rocked: Application) -> None:
+def test_the_hint_names_the_handle_which_another_selection_takes_away(rocked: Application) -> None:
+    assert "Rocker" in rocked.stage.tool_controller.tool.hint(rocked.case)
     rocked.case.select(None)
     names = [handle.name for handle in rocked.stage.insole.scene.handles]
     assert "rocker_line" not in names
-
-
-def test_the_hint_names_the_handle_of_the_line(rocked: Application) -> None:
-    assert "Rocker" in rocked.stage.tool_controller.tool.hint(rocked.case)

@@ -113,6 +113,10 @@ def _is_live(card: SensorCard) -> bool:
     )
 
 
+def _tells_markers(card: SensorCard) -> bool:
+    return any("markers" in label.text() for label in card.findChildren(QLabel))
+
+
 def used_scan(hands: Hands, qtbot: QtBot, frames: int = 10) -> Path:
     """Use the scan, and return the session that was handed on."""
     kept: list[Path] = []
@@ -183,6 +187,7 @@ def test_the_other_side_and_a_new_capture_leave_the_scan_to_be_taken_up_again(
 
 
 def test_one_view_captured_again_leaves_the_others(hands: Hands, qtbot: QtBot) -> None:
+    hands.wait(lambda: all(map(_tells_markers, hands.cards())))
     hands.capture_all()
     for end, frames in (("cancel", 60), ("done", 10)):
         right = next(c for c in hands.cards() if c.findChildren(QLabel)[0].text()[0] == "r")
@@ -198,7 +203,9 @@ def test_one_view_captured_again_leaves_the_others(hands: Hands, qtbot: QtBot) -
         assert hands.counts() == ALL
         assert hands.can_click("Capture anew")
     qtbot.keyClicks(hands.stage.view._notes, "cold feet")  # seen after the capture
-    condition = read_session(used_scan(hands, qtbot)).manifest.capture_condition
+    manifest = read_session(used_scan(hands, qtbot)).manifest
+    assert manifest.views == tuple(ALL)
+    condition = manifest.capture_condition
     assert condition is not None
     assert condition.notes == "cold feet"
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QLabel, QPushButton, QToolButton
+from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.geometry.side import Side
@@ -46,30 +46,6 @@ def cards(stage: CaptureStage) -> list[SensorCard]:
 
 def button(stage: CaptureStage, text: str) -> QPushButton:
     return next(b for b in stage.findChildren(QPushButton) if b.text() == text)
-
-
-@pytest.mark.slow
-def test_from_sensors_to_a_session(stage: CaptureStage, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: len(cards(stage)) == 3)
-    qtbot.waitUntil(
-        lambda: all(
-            any("markers" in label.text() for label in card.findChildren(QLabel))
-            for card in cards(stage)
-        )
-    )
-    button(stage, "Capture").click()
-    qtbot.waitUntil(lambda: button(stage, "Use this scan").isEnabled())
-    again = next(
-        b for b in cards(stage)[1].findChildren(QToolButton) if b.text() == "Capture again"
-    )
-    assert again.isEnabled()
-    kept: list[Path] = []
-    stage.kept.connect(kept.append)
-    with qtbot.waitSignal(stage.closed):
-        button(stage, "Use this scan").click()
-    session = read_session(kept[0])
-    assert session.manifest.views == ("left", "right", "top")
-    assert all(view.depth_count == 10 for view in session.views)
 
 
 def test_emulated_sensors_are_captured_as_they_were_recorded(

@@ -7,7 +7,7 @@ from datetime import date, timedelta
 
 import pytest
 from pointing import click_heading
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
@@ -130,32 +130,28 @@ def test_a_new_patient_is_added_with_the_birth_date_of_the_number(
     assert clinic.settings.number_kind == "se"
 
 
-@pytest.mark.parametrize(
-    ("name", "born", "number", "sentence"),
-    [
-        ("", "", "", "The name is missing; type one."),
-        ("A" * 10_000, "", "", "The name has 201 characters, and may have 200; shorten it."),
-        ("Anna", "1970-02-30", "", "1970-02-30 is no date"),
-        ("Anna", "", "19700228-1111", "The last digit of 19700228-1111 does not fit the others"),
-    ],
+REFUSED = (
+    ("", "", "", "The name is missing; type one."),
+    ("A" * 300, "", "", "The name has 201 characters, and may have 200; shorten it."),
+    ("Anna", "1970-02-30", "", "1970-02-30 is no date"),
+    ("Anna", "", "19700228-1111", "The last digit of 19700228-1111 does not fit the others"),
 )
+
+
 def test_what_cannot_be_right_is_refused_in_the_dialog(
-    clinic: Application,
-    records: Records,
-    name: str,
-    born: str,
-    number: str,
-    sentence: str,
+    clinic: Application, records: Records
 ) -> None:
-    clinic.controller.run_action("new_patient", False)
-    dialog = dialog_of(clinic)
-    dialog.kind.show_value("se")
-    fill(dialog, name[:300], born, number)
-    QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
-    assert dialog.isVisible()
-    assert dialog.refusal.text().startswith(sentence)
-    assert records.persons.recent() == []
-    dialog.reject()
+    for name, born, number, sentence in REFUSED:
+        clinic.controller.run_action("new_patient", False)
+        dialog = dialog_of(clinic)
+        dialog.kind.show_value("se")
+        fill(dialog, name, born, number)
+        QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
+        assert dialog.isVisible()
+        assert dialog.refusal.text().startswith(sentence)
+        assert records.persons.recent() == []
+        dialog.reject()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 def test_a_number_that_is_known_opens_its_patient(
@@ -198,16 +194,17 @@ def test_the_tour_is_offered_until_it_is_not_wanted(clinic: Application, qtbot: 
     assert offers() == []
 
 
-@pytest.mark.parametrize("action", ["open_example", "calibrate", "restore_record"])
-def test_the_first_page_offers_what_a_new_user_needs(clinic: Application, action: str) -> None:
+def test_the_first_page_offers_what_a_new_user_needs(clinic: Application) -> None:
     page = page_of(clinic)
-    buttons = [b for b in page.findChildren(QPushButton) if b.property("action") == action]
-    (shown,) = [button for button in buttons if button.isVisible()]
     asked: list[str] = []
     page.action_requested.disconnect()
     page.action_requested.connect(asked.append)
-    shown.click()
-    assert asked == [action]
+    needed = ["open_example", "calibrate", "restore_record"]
+    for action in needed:
+        buttons = [b for b in page.findChildren(QPushButton) if b.property("action") == action]
+        (shown,) = [button for button in buttons if button.isVisible()]
+        shown.click()
+    assert asked == needed
 
 
 def test_further_patients_are_a_click_away(
