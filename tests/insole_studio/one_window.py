@@ -20,6 +20,7 @@ from shown_texts import differences, shown
 
 from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.app.scripted import wait_for
+from insole_studio.document.clinic_record import RecordState
 from insole_studio.settings import Settings
 from insole_studio.user_paths import UserPaths
 
@@ -118,6 +119,7 @@ class _Built:
             if action.isChecked() != checked and (checked or action.actionGroup() is None):
                 action.trigger()
         app.features.case_files.opener.new_case()
+        self._forget_record()
         for field in fields(Settings):
             setattr(app.settings, field.name, deepcopy(getattr(self._settings, field.name)))
         for name in READ_WHEN_USED:
@@ -137,6 +139,22 @@ class _Built:
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         app.window.statusBar().clearMessage()  # a hint of what is below the pointer comes and goes
         return self._state()
+
+    def _forget_record(self) -> None:
+        """Let go of the clinic's record, and of what was kept beside it: the next one is new."""
+        clinic = self.app.services.clinic
+        if clinic.state is RecordState.CLOSED:
+            return
+        self._wait()
+        clinic.let_go()
+        for folder in (
+            self._paths.records_folder,
+            self._paths.fetched_folder,
+            self._paths.papers_folder,
+            self._paths.waiting_photos_folder.parent,
+            self._paths.erasures_folder,
+        ):
+            rmtree(folder, ignore_errors=True)
 
     def _wait(self) -> None:
         both = self.app.jobs, self.app.services.clinic.jobs

@@ -6,7 +6,7 @@ import html
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QHideEvent, QImage
 from PySide6.QtWidgets import (
     QFormLayout,
     QFrame,
@@ -107,6 +107,12 @@ class PersonPage(QWidget):
         for field in self._fields.values():
             if not isinstance(field, ComboBox):
                 forget_typed(field)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Hide what was refused as well: its bubbles are windows of their own."""
+        super().hideEvent(event)
+        for refusal in self._refusals.values():
+            refusal.hide()
 
     def show_refusal(self, key: str, sentence: str) -> None:
         """Say beside a field why what was typed is not taken."""

@@ -38,6 +38,8 @@ from insole_studio.texts import moment_text
 from insole_studio.widgets.notice_bar import Notice
 from insole_studio.widgets.side_switch import SideBadge
 
+pytestmark = pytest.mark.one_window
+
 LEFT = Qt.MouseButton.LeftButton
 
 
@@ -214,8 +216,8 @@ def test_both_values_of_a_visit_are_shown_to_who_saves_second(
     assert (found.weight_kg, found.shoe_size_eu) == (70.0, 41.0)
 
 
-def test_what_cannot_be_right_is_refused_beside_the_field(
-    page: PersonPage, records: Records, visit: Visit
+def test_what_cannot_be_right_is_refused_beside_the_field_until_the_page_is_left(
+    clinic: Application, page: PersonPage, records: Records, visit: Visit
 ) -> None:
     for key, text, sentence in (
         ("birth_date", "1970-02-30", "1970-02-30 is no date"),
@@ -227,6 +229,9 @@ def test_what_cannot_be_right_is_refused_beside_the_field(
         assert page._refusals[key].text().startswith(sentence)
         assert field.text() == before
         assert records.persons.get(visit.person_id).revision == 1
+    assert page._refusals["name"].isVisible()
+    clinic.features.records.show_start()
+    assert not any(refusal.isVisible() for refusal in page._refusals.values())
 
 
 def test_fields_that_two_change_at_once_are_both_kept(

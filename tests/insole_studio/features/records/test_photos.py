@@ -28,6 +28,8 @@ from insole_studio.features.records.photos_dialog import PhotosDialog
 from insole_studio.services.questions import Answer
 from insole_studio.widgets.picture_view import Line, MarkedPicture
 
+pytestmark = pytest.mark.one_window
+
 LEFT = Qt.MouseButton.LeftButton
 SKIN = "#c8a08c"
 

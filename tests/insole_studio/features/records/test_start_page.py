@@ -23,6 +23,8 @@ from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND
 from insole_studio.widgets.tour import Tour
 
+pytestmark = pytest.mark.one_window
+
 
 def page_of(clinic: Application) -> StartPage:
     page = clinic.features.records.start
