@@ -49,6 +49,7 @@ _PUBLISHED = (-67.0, 110.0)
 """The greatest changes of published series, and 10 points; the model overrates what is beyond:
 reliefs up to 57 % (Chen, Ju and Tang, Clin. Biomech. 18, 2003), and twice the pressure on a pad."""
 _NONE, _NOT_LOADED = Message(""), Message("Nothing pressed there before.")
+_MOVED = Message("The most pressed place is now one where nothing pressed before.")
 _AS_GROUP = Message("Nothing is told of the heads together, so of none alone.")
 _BESIDE = Message("The place lies beside the sole of the foot.")
 _TOO_UNSURE = Message("What is not known of the foot changes it too much.")
@@ -251,9 +252,10 @@ class Change:
         shown = np.where(presses, Shown.NEWLY, Shown.IDLE)
         shown[np.isfinite(self.percent)] = Shown.PERCENT
         for name in set(untold).intersection(_APART):
-            if self.reasons.get(name) is not _NOT_LOADED:  # else each place says it for itself
-                here = inside(self.sole, name)
-                shown[here & (shown != Shown.IDLE)] = Shown.UNTOLD
+            here = inside(self.sole, name) & (shown != Shown.IDLE)
+            if self.reasons.get(name) in (_NOT_LOADED, _MOVED):
+                here &= shown != Shown.NEWLY  # which is just what the reason says
+            shown[here] = Shown.UNTOLD
         return shown
 
     @property
@@ -316,7 +318,7 @@ class Change:
         if old < LOADED_KPA:
             return _NOT_LOADED
         if new < old and self._is_newly_pressed(name):
-            return Message("The most pressed place is now one where nothing pressed before.")
+            return _MOVED
         return _NONE
 
     def _is_newly_pressed(self, name: str) -> bool:

@@ -264,7 +264,11 @@ def test_a_lower_peak_where_nothing_pressed_before_is_no_relief(from_flat: Chang
     front, back = np.zeros(midfoot.shape), np.zeros(midfoot.shape)
     front[rows[-4:]], back[rows[:4]] = 0.1, 0.05
     old, new = (replace(from_flat.old, mpa=mpa * midfoot) for mpa in (front, back))
-    assert "where nothing pressed before" in replace(from_flat, old=old, new=new).reason("midfoot")
+    moved = replace(from_flat, old=old, new=new)
+    assert "where nothing pressed before" in moved.reason("midfoot")
+    shown = moved.shown(moved.untold)[midfoot]  # no figure is shown, and what is newly pressed is
+    assert {Shown.UNTOLD, Shown.NEWLY} <= set(shown)
+    assert Shown.PERCENT not in shown
     assert not replace(from_flat, old=old, new=replace(old, mpa=old.mpa / 2)).reason("midfoot")
 
 
