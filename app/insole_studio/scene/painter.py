@@ -82,7 +82,7 @@ class Painter:
         self._ratio = 1.0
         self._surface: pv.PolyData | None = None
         self._mesh: TriangleMesh | None = None
-        self._colored = _kind(None)
+        self._coloring: Coloring | None = None
         self._wireframe = False
         self._shapes: dict[str, tuple[object, ...]] = {}
         """Geometry and style of the shown marks; a mark that keeps both only moves."""
@@ -195,7 +195,7 @@ class Painter:
             style="wireframe" if self._wireframe else "surface",
             **surface_look(self._surface, mesh, coloring),
         )
-        self._colored = _kind(coloring)
+        self._coloring = coloring
 
     def move_surface(
         self,
@@ -224,20 +224,25 @@ class Painter:
         """
         if self._surface is None or self._mesh is None:
             return False
-        if self._mesh.triangles is not mesh.triangles or _kind(coloring) != self._colored:
+        if self._mesh.triangles is not mesh.triangles or _kind(coloring) != _kind(self._coloring):
             return False
         self._mesh = mesh
         if moved is None or len(moved):  # what did not move need not be handed over again
             which = slice(None) if moved is None else moved
             self._surface.points[which] = mesh.vertices[which]
             self._surface.point_data["Normals"][which] = normals[which]
-        if coloring is not None and coloring.painted is not None:
-            self._surface.point_data["painted"][:] = coloring.painted
-        elif coloring is not None:
-            self._surface.point_data["values"][:] = coloring.values
-            self._limit_to(coloring.limits)
+        if coloring is not None and coloring is not self._coloring:
+            self._recolor_surface(self._surface, coloring)
         self._surface.Modified()
         return True
+
+    def _recolor_surface(self, surface: pv.PolyData, coloring: Coloring) -> None:
+        self._coloring = coloring
+        if coloring.painted is not None:
+            surface.point_data["painted"][:] = coloring.painted
+        else:
+            surface.point_data["values"][:] = coloring.values
+            self._limit_to(coloring.limits)
 
     def show_moved(self, step: FloatArray | None) -> None:
         """Show the surface moved by a transform (4, 4); None shows it in place."""

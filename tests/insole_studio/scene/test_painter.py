@@ -114,6 +114,28 @@ def test_a_moved_surface_keeps_its_triangles(
     assert not painter.move_surface(flipped, flipped.vertex_normals)
 
 
+def test_a_moved_surface_takes_other_colours_and_keeps_those_it_has(
+    painter: Painter, plotter: Any, make_foot: Any
+) -> None:
+    mesh = make_foot(Side.LEFT).mesh
+    count = len(mesh.vertices)
+    first, other = (
+        Coloring(np.zeros(count), (0.0, 1.0), "Map", painted=np.full((count, 3), value, np.uint8))
+        for value in (40, 200)
+    )
+    painter.show_surface(mesh, first)
+    shown = plotter.actors["surface"].mapper.dataset
+    times = []
+    for coloring in (first, other, other, first):
+        assert painter.move_surface(mesh, mesh.vertex_normals, None, coloring)
+        array = shown.point_data["painted"]
+        assert (np.asarray(array) == coloring.painted).all()
+        times.append(array.VTKObject.GetMTime())
+    assert times[1] > times[0]
+    assert times[2] == times[1]  # nothing is handed over again
+    assert times[3] > times[2]
+
+
 def test_an_unseen_painter_moves_nothing(painter: Painter, make_foot: Any) -> None:
     mesh = make_foot(Side.LEFT).mesh
     assert not painter.move_surface(mesh, mesh.vertex_normals)

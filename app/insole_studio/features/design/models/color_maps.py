@@ -9,7 +9,6 @@ from functools import cache
 
 import numpy as np
 import numpy.typing as npt
-import scipy
 
 from insole_core.contact.change import MOST_SHOWN, Change, Shown
 from insole_core.contact.stance import Sole
@@ -222,36 +221,38 @@ class LoadedVertices:
     sole
     xy : (n, 2) float64, mm, insole frame
         Of all vertices of the surface.
-    where : (k,) int64
-        Those of the sole, or of the upper side of the insole, that lie on the grid.
-    weights : (k, ny * nx) float64
-        Of these, by the nodes of the grid.
-    nearest : (k,) int64
-        Their nodes.
-    stripes : (4, k) int64
-        For each `Shown`, which of its colours they have.
+    nodes : (n, 4) int64
+        Of the grid, those about each vertex, the nearest first; where nothing can press, nodes of
+        no meaning.
+    weights : (n, 4) float64
+        Of these nodes.
+    colors : (4, n) int64
+        For each `Shown`, which of `_load_colors` they have; that of none where nothing can press.
     """
 
     sole: Sole
     xy: FloatArray
-    where: IntArray
-    weights: scipy.sparse.csr_array
-    nearest: IntArray
-    stripes: IntArray
+    nodes: IntArray
+    weights: FloatArray
+    colors: IntArray
 
     @classmethod
     def of(cls, sole: Sole, vertices: FloatArray, where: BoolArray) -> LoadedVertices:
         """Return those of a surface, with vertices (n, 3), of which (n,) can be pressed."""
         xy = vertices[:, :2].copy()
-        on_grid = where & np.isfinite(sole.field.height_at(xy))
-        x, y = xy[on_grid].T
-        weights = sole.field.weights_at(xy[on_grid])
-        greatest = weights.data.reshape(-1, 4).argmax(axis=1)
-        nearest = weights.indices.reshape(-1, 4)[np.arange(len(x)), greatest]
-        stripes = np.zeros((len(Shown), len(x)), dtype=np.int64)
-        stripes[Shown.NEWLY] = y // _STRIPE_MM % 2
-        stripes[Shown.UNTOLD] = (x + y) // (_SLANTED * _STRIPE_MM) % 2
-        return cls(sole, xy, np.flatnonzero(on_grid), weights, nearest, stripes)
+        x, y = xy.T
+        shares = sole.field.weights_at(xy)
+        weights = shares.data.reshape(-1, 4)
+        nodes: IntArray = shares.indices.astype(np.int64).reshape(-1, 4)
+        can_press = where & np.isfinite(weights[:, 0])
+        nearest_first = np.argsort(-weights, axis=1)
+        weights = np.take_along_axis(weights, nearest_first, axis=1)
+        nodes = np.take_along_axis(nodes, nearest_first, axis=1)
+        colors = np.tile(_FIRST[:, None], len(xy))
+        colors[Shown.NEWLY] += (y // _STRIPE_MM % 2).astype(np.int64)
+        colors[Shown.UNTOLD] += ((x + y) // (_SLANTED * _STRIPE_MM) % 2).astype(np.int64)
+        colors[:, ~can_press] = _FIRST[Shown.IDLE]
+        return cls(sole, xy, nodes, weights, colors)
 
     def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
         """Return whether vertices (n, 3) of the same surface still lie there."""
@@ -265,19 +266,17 @@ class LoadedVertices:
         untold
             Names of the regions of which nothing can be told.
         """
+        nearest = self.nodes[:, 0]
+        shown = change.shown(untold).ravel()[nearest]
+        colors = self.colors[shown, np.arange(len(shown))]
+        (told,) = np.nonzero(colors == _FIRST[Shown.PERCENT])
         percent = change.percent.ravel()
-        at = self.weights @ percent
-        at = np.where(np.isnan(at), percent[self.nearest], at)  # beside what has no figure
-        shown = change.shown(untold).ravel()[self.nearest]
-        steps = (np.nan_to_num(at) / MOST_SHOWN + 1) / 2 * (_STEPS - 1)
-        colors = np.rint(np.clip(steps, 0, _STEPS - 1)).astype(np.int64)
-        (others,) = np.nonzero(shown != Shown.PERCENT)
-        kinds = shown[others]
-        colors[others] = _FIRST[kinds] + self.stripes[kinds, others]
+        at = (percent[self.nodes[told]] * self.weights[told]).sum(axis=1)
+        at = np.where(np.isnan(at), percent[nearest[told]], at)  # beside what has no figure
+        steps = (np.clip(at, -MOST_SHOWN, MOST_SHOWN) / MOST_SHOWN + 1) / 2 * (_STEPS - 1)
+        colors[told] = np.rint(steps).astype(np.int64)
         values = np.full(len(self.xy), np.nan)
-        values[self.where] = np.where(shown == Shown.PERCENT, at, np.nan)
-        painted = np.tile(_load_colors()[_FIRST[Shown.IDLE]], (len(self.xy), 1))
-        painted[self.where] = _load_colors()[colors]
+        values[told] = at
         return Coloring(
             values,
             (-MOST_SHOWN, MOST_SHOWN),
@@ -285,7 +284,7 @@ class LoadedVertices:
             signed=True,
             unit="%",
             is_clipped=True,
-            painted=painted,
+            painted=_load_colors().take(colors, axis=0),
             swatches=tuple(_load_swatches().values()),
         )
 

@@ -472,6 +472,8 @@ class FootPresenter(ModelPresenter):
 
     def __init__(self, panel: ModelPanel, shown: ShownModels, display: FootDisplay) -> None:
         super().__init__(panel, shown)
+        self._loaded_mesh: TriangleMesh | None = None
+        """That was last coloured by how load moves; unlike an insole's, its vertices never move."""
         self._display = display
         display.changed.connect(self._show_evened)
 
@@ -559,9 +561,9 @@ class FootPresenter(ModelPresenter):
         if change is None:
             return None
         loaded = self._loaded_vertices
-        if loaded is None or not loaded.are_those_of(change.sole, mesh.vertices):
+        if loaded is None or loaded.sole is not change.sole or self._loaded_mesh is not mesh:
             loaded = LoadedVertices.of(change.sole, mesh.vertices, is_sole(mesh))
-            self._loaded_vertices = loaded
+            self._loaded_vertices, self._loaded_mesh = loaded, mesh
         return loaded.coloring(change, self._load.untold_of(change))
 
     @property
