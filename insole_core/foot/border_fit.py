@@ -8,7 +8,8 @@ tangent whose slope against the vertical is b, it has four parameters near the o
 (the derivative of the support function), with one radius below that point and another one above it,
 where the leg or the back of the foot goes on. So contours in images, of which only the tangents are
 known, the measured surface, and the usual radii and height form one linear least-squares problem,
-whose covariance gives the uncertainty of the reach.
+whose covariance gives the uncertainty of the reach. Sections beside each other are alike, those
+farther apart less and less: height and radii are Gaussian processes along the border.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ _STRIP_MM, _SPREAD_MM = 2.0, 2.5
 _TOUCH_MM, _TOUCHES_SHARED = 0.35, 2.0  # noise of a contour, and how many points share it
 _SURFACE_MM, _SLOPE, _SURFACE_WORTH = 0.8, 0.1, 1.0
 """Noise of the measured surface near its rim, of its slope there, and the number of independent
-points to which a millimetre of it is equivalent."""
+equations to which those of a millimetre of it, all together, are equivalent."""
 _LEAST_RADIUS_MM, _STEEPEST = 6.0, 1.2
 """Of a section on which the points of a surface lie, and the slope beyond which it is straight."""
 _WIDE_MM, _OUTERMOST_MM2 = 3.0, 6.0
@@ -37,7 +38,8 @@ _ROUNDS, _ROUNDS_BY_POINTS = 4, 8
 _MORE = 3  # strips beyond each end of the border that take part
 _BENDS = 3.0
 """How much the bend of a border varies, in shares of it."""
-_SHAPE = 9  # parameters of its section: height and two radii, at three places each
+_KNOTS_MM = 8.0  # between the places along a border where its section has parameters of its own
+_UNLIKE = 1e-4  # share of the variance of a section's parameter that is no other place's
 _LEAST_WEIGHT = 0.05
 _NOTHING_MM = 1e4
 _SUMMIT_MM = 1.0  # depth of the strips about whose middle an arc is fitted
@@ -61,6 +63,8 @@ class UsualBorder:
         Distance from its usual position at which its end must lie one millimetre farther out.
     by_points
         Whether of the measured surface only its points count, not the slope that its normals tell.
+    alike_mm
+        Way along the border over which its section is alike: the length of the correlation.
     """
 
     height_mm: tuple[float, float, float, float]
@@ -69,6 +73,7 @@ class UsualBorder:
     bend_mm: float
     pull_mm: float
     by_points: bool = False
+    alike_mm: float = 50.0
 
     def scaled(self, factor: float) -> UsualBorder:
         """Scale all lengths, for a foot of another size."""
@@ -76,8 +81,14 @@ class UsualBorder:
             (factor * rear, factor * middle, factor * front, factor * spread)
             for rear, middle, front, spread in (self.height_mm, self.below_mm, self.above_mm)
         )
-        bend_mm = factor * self.bend_mm
-        return replace(self, height_mm=height, below_mm=below, above_mm=above, bend_mm=bend_mm)
+        return replace(
+            self,
+            height_mm=height,
+            below_mm=below,
+            above_mm=above,
+            bend_mm=factor * self.bend_mm,
+            alike_mm=factor * self.alike_mm,
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,20 +258,19 @@ class _Rows:
         return _Rows(across, distance / towards, normals[:, 2] / towards, points[:, 2])
 
     def columns(self, nodes: FloatArray, parts: FloatArray) -> FloatArray:
-        """Return equations (k, nodes + 9) for parts (k, 4) of reach, height and both radii."""
-        place = (self.across - nodes[0]) / (nodes[1] - nodes[0])
-        place = np.clip(place, 0.0, len(nodes) - 1.0)
-        hats = np.maximum(1 - np.abs(place[:, None] - np.arange(len(nodes))), 0.0)
-        shape = parts[:, 1:, None] * _between(self.across, nodes)[:, None]
-        flat = shape.reshape(len(parts), _SHAPE)
-        return np.concatenate([parts[:, :1] * hats, flat], axis=1)
+        """Return equations (k, nodes + 3 knots) for parts (k, 4) of reach, height and radii."""
+        hats = _hats(self.across, _knots(nodes))
+        reach, *shape = parts.T[:, :, None]
+        section = [part * hats for part in shape]
+        return np.concatenate([reach * _hats(self.across, nodes), *section], axis=1)
 
     def on_section(self, nodes: FloatArray, shape: FloatArray) -> _Rows:
-        """Return the tangents of a section of some shape (9,) at the heights of the points.
+        """Return the tangents of sections of some shape (3 knots,) at the heights of the points.
 
         The support function is least sensitive to the slope there, so its error hardly counts.
         """
-        height, below, above = (_between(self.across, nodes) @ part for part in np.split(shape, 3))
+        hats = _hats(self.across, _knots(nodes))
+        height, below, above = (hats @ part for part in np.split(shape, 3))
         over = self.height - height
         radius = np.maximum(np.where(over < 0, below, above), _LEAST_RADIUS_MM)
         slope = np.clip(over / radius, -_STEEPEST, _STEEPEST)
@@ -278,7 +288,7 @@ def _fit(
     """Compute reach, height and standard deviation of the reach at some places along a border.
 
     The reach bends as usual from each place to the next, and height and radii of the section
-    change smoothly: where outlines show only one side of it, those beside tell how round it is.
+    are alike beside it: where outlines show only one side of it, those beside tell how round it is.
     """
     prior, known = _prior(nodes, usual)
     rows, values, noise_mm, outlying_mm = _equations(outlines, measured, nodes, usual)
@@ -294,17 +304,17 @@ def _fit(
         weights = information / (1 + off**2) ** 2
     count = len(nodes)
     deviation = np.sqrt(np.diag(np.linalg.inv(normal))[:count])
-    return solution[:count], _between(nodes, nodes) @ solution[count : count + 3], deviation
+    height = np.split(solution[count:], 3)[0]
+    return solution[:count], _hats(nodes, _knots(nodes)) @ height, deviation
 
 
 def _equations(
     outlines: _Rows, measured: _Rows, nodes: FloatArray, usual: UsualBorder
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Return rows (k, nodes + 9), values, noise and size of an outlier (k,) of all that was seen.
+    """Return rows (k, unknowns), values, noise and size of an outlier (k,) of all that was seen.
 
     Of the surface these are its tangents and, unless only its points count, where they touch it.
     """
-    share = min(1.0, _SURFACE_WORTH * float(np.ptp(nodes)) / max(len(measured.slope), 1))
     touch = np.full(len(outlines.slope), _TOUCH_MM)
     plane = np.full(len(measured.slope), _SURFACE_MM)
     radius = np.where(measured.slope < 0, usual.below_mm[1], usual.above_mm[1])
@@ -315,7 +325,8 @@ def _equations(
         measured.columns(nodes, _places(measured.slope))[: len(place)],
     ]
     values = [outlines.distance, measured.distance, measured.height[: len(place)]]
-    worth = share**0.5
+    equations = max(len(plane) + len(place), 1)
+    worth = min(1.0, _SURFACE_WORTH * float(np.ptp(nodes)) / equations) ** 0.5
     noise_mm = [_TOUCHES_SHARED**0.5 * touch, plane / worth, place / worth]
     outlying_mm = [np.full(len(touch), _OUTLYING_TOUCH_MM), _OUTLYING * plane, _OUTLYING * place]
     row, value, noise, outlier = map(np.concatenate, (rows, values, noise_mm, outlying_mm))
@@ -325,19 +336,28 @@ def _equations(
 def _prior(nodes: FloatArray, usual: UsualBorder) -> tuple[FloatArray, FloatArray]:
     """Return the usual shape as normal equations: of the reaches, the height and the radii."""
     count, bend = len(nodes), float(np.ptp(nodes[:2])) ** 2 / usual.bend_mm
-    means = np.array([usual.height_mm, usual.below_mm, usual.above_mm])
-    spreads = np.repeat(means[:, 3], 3)
     bends = np.diff(np.eye(count), 2, axis=0) / (_BENDS * bend)
-    rows = scipy.linalg.block_diag(bends, np.diag(1 / spreads))
-    values = np.concatenate([np.full(count - 2, -1 / _BENDS), means[:, :3].ravel() / spreads])
-    nearly_free = np.eye(rows.shape[1]) * _NOTHING_MM**-2
-    return rows.T @ rows + nearly_free, rows.T @ values
+    knots = _knots(nodes)
+    apart = (knots[:, None] - knots) / usual.alike_mm
+    unlike = np.linalg.inv(np.exp(-(apart**2) / 2) + _UNLIKE * np.eye(len(knots)))
+    way = 2 * (knots - nodes.mean()) / np.ptp(nodes)
+    along = np.column_stack([way * (way - 1) / 2, 1 - way**2, way * (way + 1) / 2])
+    *means, spreads = np.transpose([usual.height_mm, usual.below_mm, usual.above_mm])
+    section = scipy.linalg.block_diag(*(unlike / spread**2 for spread in spreads))
+    normal = scipy.linalg.block_diag(bends.T @ bends, section)
+    known = [bends.T @ np.full(count - 2, -1 / _BENDS), section @ (along @ means).T.ravel()]
+    return normal + np.eye(len(normal)) * _NOTHING_MM**-2, np.concatenate(known)
 
 
-def _between(across: FloatArray, nodes: FloatArray) -> FloatArray:
-    """Return the shares (k, 3) of begin, middle and end of a border at some places."""
-    way = np.clip(2 * (across - nodes.mean()) / np.ptp(nodes), -1.0, 1.0)
-    return np.column_stack([way * (way - 1) / 2, 1 - way**2, way * (way + 1) / 2])
+def _knots(nodes: FloatArray) -> FloatArray:
+    """Return the places along a border where the section has parameters of its own."""
+    return np.linspace(nodes[0], nodes[-1], max(round(float(np.ptp(nodes)) / _KNOTS_MM), 1) + 1)
+
+
+def _hats(across: FloatArray, nodes: FloatArray) -> FloatArray:
+    """Return the shares (k, nodes) of even nodes at some places, linearly between two of them."""
+    place = np.clip((across - nodes[0]) / (nodes[1] - nodes[0]), 0.0, len(nodes) - 1.0)
+    return np.asarray(np.maximum(1 - np.abs(place[:, None] - np.arange(len(nodes))), 0.0))
 
 
 def _tangents(slope: FloatArray) -> FloatArray:

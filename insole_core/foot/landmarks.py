@@ -44,10 +44,14 @@ _HEADS = np.array(
 _FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
 """From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
 _BEHIND = UsualEnd((22.0, 8.0), (32.0, 6.0), (25.0, 10.0))
-_MEDIAL_HEEL = UsualBorder((29, 29, 31, 7), (26, 27, 29, 6), (60, 60, 60, 20), 80, np.inf, True)
-_LATERAL_HEEL = UsualBorder((26, 26, 28, 7), (22, 23, 25, 6), (60, 60, 60, 20), 80, np.inf, True)
-_MEDIAL_BORDER = UsualBorder((22, 18, 18, 6), (22, 20, 20, 9), (26, 24, 20, 10), 50, 8)
-_LATERAL_BORDER = UsualBorder((13, 12.5, 12, 4), (10, 10, 10, 5), (14, 13, 12, 8), 50, 30)
+_MEDIAL_HEEL = UsualBorder((29, 29, 31, 7), (23, 24, 26, 6), (60, 60, 60, 20), 80, np.inf, True)
+_LATERAL_HEEL = UsualBorder((26, 26, 28, 7), (19, 20, 22, 6), (60, 60, 60, 20), 80, np.inf, True)
+_MEDIAL_BORDER = UsualBorder(
+    (22, 18, 18, 6), (22, 20, 20, 9), (26, 24, 20, 10), 50, 10, alike_mm=16
+)
+_LATERAL_BORDER = UsualBorder(
+    (13, 12.5, 12, 4), (10, 10, 10, 5), (20, 20, 20, 9), 50, 30, alike_mm=25
+)
 _ARCH = (0.25, 0.85)  # shares of the way from heel centre to 1st head
 _ARCH_RISE_MM = 3.0  # least height of a clear arch
 _OUTER_TOES, _TOES = {"toe_tip_1": _MEDIAL, "toe_tip_5": _LATERAL}, (0.82, 0.97)

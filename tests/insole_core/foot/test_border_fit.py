@@ -68,6 +68,23 @@ def test_points_tell_a_widest_place_far_below_the_usual_one() -> None:
     assert fit.height_mm == pytest.approx(HEIGHT, abs=2.0)
 
 
+def test_sections_that_change_along_the_border_are_followed_where_they_usually_do() -> None:
+    straight, outlines = wall(np.arange(-40.0, 41.0, 10.0)), wall(np.array([-25.0]))
+    rising = np.array([0.0, 0.0, 1.0]) * 5 * np.sin(straight.points[:, 1] / 6)[:, None]
+    surface = ContourConstraints(straight.points + rising, straight.normals)
+    raised = np.array([0.0, 0.0, 1.0]) * 5 * np.sin(outlines.points[:, 1] / 6)[:, None]
+    outlines = ContourConstraints(outlines.points + raised, outlines.normals)
+    apart, alike = (
+        fit_border(surface, outlines, MEDIAL, (150.0, 190.0), replace(USUAL, alike_mm=way))
+        for way in (8.0, 60.0)
+    )
+    height = HEIGHT + 5 * np.sin(apart.across_mm / 6)
+    assert np.abs(apart.height_mm - height).max() < 1.5
+    assert np.ptp(alike.height_mm) < 5 < np.ptp(apart.height_mm)
+    off = [np.abs(fit.reach_mm - CENTRE_X - RADIUS).max() for fit in (apart, alike)]
+    assert off[0] < 0.5 < off[1]
+
+
 def test_an_outline_from_one_side_is_trusted_less() -> None:
     one, both = (fitted(NOTHING, wall(np.array(a))) for a in ([-25.0], [-25.0, 25.0]))
     off = np.abs(one.reach_mm - CENTRE_X - RADIUS)
