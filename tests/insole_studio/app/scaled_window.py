@@ -6,7 +6,8 @@ import json
 import sys
 from pathlib import Path
 
-from conftest import COARSE_MM, plantar_foot
+from coarse_designs import COARSE_MM
+from conftest import plantar_foot
 from image_colors import colors_of
 from PySide6.QtCore import QEventLoop, QPoint
 from PySide6.QtGui import QGuiApplication
