@@ -235,9 +235,9 @@ def check_file(path: Path) -> None:
         Also where writing to the file would fail although renaming another over it might succeed,
         and where the place is a link: what it leads to may be anybody's.
     """
-    _check_no_link(path)
-    real = Path(os.path.realpath(path))
     with output_errors(path):
+        _check_no_link(path)
+        real = Path(os.path.realpath(path))
         _check_parent(real)
         if real.is_dir():
             raise _os_error(errno.EISDIR)
@@ -256,9 +256,9 @@ def check_folder(path: Path, find_foreign: FindForeign) -> None:
         When it holds other files than an earlier output, when somebody works in it, or when the
         place takes no folder or is a link.
     """
-    _check_no_link(path)
-    real = Path(os.path.realpath(path))
     with output_errors(path):
+        _check_no_link(path)
+        real = Path(os.path.realpath(path))
         _check_parent(real)
         if real.exists() and not real.is_dir():
             raise _os_error(errno.ENOTDIR)

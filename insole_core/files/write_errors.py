@@ -75,5 +75,16 @@ def describe(path: Path, error: OSError) -> str:
     )
 
 
+def is_there(path: Path) -> bool:
+    """Return whether something is there that would be replaced.
+
+    Why a place cannot be looked at, as its name is too long, is told by writing to it.
+    """
+    try:
+        return path.exists()
+    except OSError:
+        return False
+
+
 def _is_open_elsewhere(path: Path, error: OSError) -> bool:
     return getattr(error, "winerror", None) in _OPEN_ON_WINDOWS and path.is_file()

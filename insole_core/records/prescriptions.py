@@ -7,6 +7,7 @@ it, an order, a signature, or a version after it. A closed version never changes
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import date
 from functools import cached_property
@@ -237,10 +238,17 @@ class Prescriptions:
             rows = self.newest_of(connection, visit_id)
             return [NewestVersion(summary_of(row), row.document) for row in rows]
 
-    def last_prescribed(self, person_id: str) -> list[FootRecord]:
+    def last_prescribed(
+        self, person_id: str, prescribes: Callable[[InsoleDesign], bool]
+    ) -> list[FootRecord]:
         """Return for each foot of a person the last version that prescribes something.
 
         It may be of any visit; of other versions, no surface is read.
+
+        Parameters
+        ----------
+        prescribes
+            Whether a design does; a version does too that keeps the prescription of a scan before.
 
         Raises
         ------
@@ -249,8 +257,10 @@ class Prescriptions:
         """
         last: dict[str, Row[Any]] = {}
         for row in self._newest_of_person(person_id):
-            if row.side not in last and _prescribes(row):
-                last[row.side] = row
+            if row.side not in last:
+                document = _document_of(row)
+                if document.has("earlier") or prescribes(_chosen_design(document)):
+                    last[row.side] = row
         return [self.foot_of(row) for row in last.values()]
 
     def last_scanned(self, person_id: str) -> list[ScannedFoot]:
@@ -465,17 +475,6 @@ def _chosen_design(document: JsonObject) -> InsoleDesign:
     variants = document.objects("variants")
     variant = next(found for found in variants if found.text("name") == chosen)
     return design_from_json(variant.value("design"))
-
-
-def _prescribes(row: Row[Any]) -> bool:
-    """Return whether a version holds corrections, or those of a scan before it."""
-    document = _document_of(row)
-    chosen = document.text("chosen")
-    return document.has("earlier") or any(
-        variant.object("design").items("corrections")
-        for variant in document.objects("variants")
-        if variant.text("name") == chosen
-    )
 
 
 def summary_of(row: Row[Any]) -> VersionSummary:

@@ -51,8 +51,16 @@ class StartingDevice:
 
     def design(self, foot: Foot) -> InsoleDesign:
         """Return a new design for a foot, without expansion where its tissue was spread already."""
-        design = apply_device(self.device, InsoleDesign(foot.side))
-        if foot.form.is_spread and design.finish is not None:
+        return self._begun(foot.side, is_spread=foot.form.is_spread)
+
+    def prescribes(self, design: InsoleDesign) -> bool:
+        """Return whether a design holds anything that a new one does not."""
+        begun = (self._begun(design.side, is_spread=spread) for spread in (False, True))
+        return design not in (InsoleDesign(design.side), *begun)
+
+    def _begun(self, side: Side, *, is_spread: bool) -> InsoleDesign:
+        design = apply_device(self.device, InsoleDesign(side))
+        if is_spread and design.finish is not None:
             design = replace(design, finish=replace(design.finish, expansion_mm=0.0))
         return with_least_thickness(design, self.materials)
 
@@ -103,9 +111,15 @@ def fitted(
     return replace(design, corrections=tuple(fresh))
 
 
-def last_design(foot: FootRecord) -> Template | None:
-    """Return the last prescription for a foot, on this scan or the previous one."""
-    if not foot.design.corrections:
+def last_design(foot: FootRecord, starting: StartingDevice) -> Template | None:
+    """Return the last prescription for a foot, on this scan or the previous one.
+
+    Parameters
+    ----------
+    starting
+        The device that new prescriptions begin with: a design as it begins is none.
+    """
+    if not starting.prescribes(foot.design):
         return foot.earlier
     try:
         return template_of(foot)
@@ -125,7 +139,11 @@ def identity(patient: Patient) -> tuple[str, str] | None:
 
 
 def find_last_design(
-    paths: Sequence[Path], patient: Patient, side: Side, progress: Progress = SILENT
+    paths: Sequence[Path],
+    patient: Patient,
+    side: Side,
+    starting: StartingDevice,
+    progress: Progress = SILENT,
 ) -> Template | None:
     """Find the latest prescription of a patient for a side.
 
@@ -133,6 +151,8 @@ def find_last_design(
     ----------
     paths
         Candidates; files that are not cases or cannot be read are skipped.
+    starting
+        As of `last_design`.
 
     Returns
     -------
@@ -154,7 +174,7 @@ def find_last_design(
             log.info("no earlier design: %s", error)
             continue
         foot = record.of_side(side)
-        template = None if foot is None else last_design(foot)
+        template = None if foot is None else last_design(foot, starting)
         if wanted is not None and identity(record.patient) == wanted and template is not None:
             templates.append(template)
     return max(templates, key=lambda template: prescribed_at(template.design), default=None)
@@ -181,7 +201,7 @@ def on_earlier_scan(record: FootRecord, scanned_on: date, starting: StartingDevi
         replace(record.source, scanned_on=day),
         starting.design(record.foot),
         annotations=record.annotations,
-        earlier=last_design(record),
+        earlier=last_design(record, starting),
     )
 
 

@@ -30,6 +30,12 @@ if TYPE_CHECKING:
     from insole_core.solids.prescription_paper import Responsible
     from insole_core.solids.shop import Block, Shop
 
+_SAID_BY = {
+    "the prescriber": "--prescriber",
+    "the maker": "--maker",
+    "the maker's address": "--maker-address",
+}
+"""Options for what a prescription has to state."""
 _LAYERED = " or ".join(f"a {form.ending} file" for form in carriers("bodies"))
 
 
@@ -382,11 +388,9 @@ def _responsible(arguments: argparse.Namespace, insoles: tuple[Insole, ...]) -> 
         maker_address=arguments.maker_address or settings.maker_address,
     )
     if responsible.missing:
-        missing = ", ".join(responsible.missing)
-        raise UsageError(
-            f"--prescription-paper states {missing}, and nobody is named; give --prescriber, "
-            "--maker and --maker-address."
-        )
+        missing = " and ".join(responsible.missing)
+        options = " and ".join(_SAID_BY[words] for words in responsible.missing)
+        raise UsageError(f"--prescription-paper has to state {missing}; give {options}.")
     return responsible
 
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from insole_core.files.write_errors import is_there
 from insole_core.geometry.side import Side
 from insole_studio.services.files import Kept, LastFolders, complete_name
 from insole_studio.settings import Settings
@@ -315,7 +316,7 @@ class Questions:
             As for `file_to_open`.
         """
         while (path := self.name_to_write(suggestion, kinds, kept)) is not None:
-            if not path.exists() or self.may_replace([path]):
+            if not is_there(path) or self.may_replace([path]):
                 return path
         return None
 

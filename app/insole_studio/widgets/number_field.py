@@ -140,9 +140,11 @@ class NumberField(QDoubleSpinBox):
                     "{typed} cannot be taken; put in {least} to {greatest}, or 0 if it is not "
                     "known. It stays {before}."
                 )
+            typed = self._bare(text)
+            has_unit = any(letter.isalpha() for letter in typed)
             self.refusal.say(
                 sentence.format(
-                    typed=self._bare(text) + self.suffix(),
+                    typed=typed if has_unit else typed + self.suffix(),
                     least=least,
                     greatest=greatest + self.suffix(),
                     before=before + self.suffix(),

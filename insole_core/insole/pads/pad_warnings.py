@@ -33,7 +33,7 @@ def sentences_of(pad: PadForm, judged: Judged) -> Iterator[Message]:
     share = rounded(_share_on_foot(judged, pad), SHOWN_SHARE)
     if share < rules.least_on_foot_share and not pad.is_filler:
         yield Message(
-            "Only {share:.0%} of the {pad} lie below the foot; move it inwards.",
+            "Only {share:.0%} of the {pad} lies below the foot; move it inwards.",
             share=share,
             pad=pad.noun,
         )

@@ -2232,7 +2232,7 @@
             <translation>Bara {share:.0%} av mönstret syntes på {least} väggar eller fler, men minst {needed:.0%} måste göra det; låt väggarna fylla bilden.</translation>
         </message>
         <message>
-            <source>Only {share:.0%} of the {pad} lie below the foot; move it inwards.</source>
+            <source>Only {share:.0%} of the {pad} lies below the foot; move it inwards.</source>
             <translation>Bara {share:.0%} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
         </message>
         <message>

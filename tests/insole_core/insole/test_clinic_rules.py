@@ -85,7 +85,7 @@ def test_usual_prescription_has_no_warning(left_foot):
             (HeelSkive(depth_mm=3), Posting(rearfoot_deg=4), HeelCup(depth_mm=16)),
             "needs a heel cup of 20 mm, and the cup is 16 mm",
         ),
-        ((Pelott(centre_mm=(200.0, 140.0), shape="drop"),), "Only 0% of the drop lie below"),
+        ((Pelott(centre_mm=(200.0, 140.0), shape="drop"),), "Only 0% of the drop lies below"),
         ((EGG, replace(EGG, id="b", centre_mm=(3.0, 141.0))), "lies with .* on the pelott"),
     ],
 )
@@ -381,7 +381,7 @@ def test_a_recess_through_the_bottom_is_refused(left_foot):
 def test_a_filler_lies_beside_the_foot_without_a_warning(left_foot):
     assert warnings(left_foot, element(left_foot, "forefoot_filler")) == []
     (found,) = warnings(left_foot, replace(element(left_foot, "forefoot_filler"), kind=None))
-    assert "lie below the foot" in found
+    assert "lies below the foot" in found
 
 
 APEX = (18.0, 118.0)

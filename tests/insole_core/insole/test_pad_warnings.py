@@ -16,7 +16,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.warnings.design_warnings import DesignWarning, design_warnings
 
 RULES = load_rules()
-BESIDE_FOOT = "Only {share:.0%} of the {pad} lie below the foot; move it inwards."
+BESIDE_FOOT = "Only {share:.0%} of the {pad} lies below the foot; move it inwards."
 OVERLAP = "The {pad} lies with {share:.0%} on the {other_pad}, and their heights add up."
 ROUND = tuple(
     (float(20 * np.cos(a)), float(20 * np.sin(a)))
@@ -95,7 +95,7 @@ def test_a_pad_off_the_foot_is_warned_of(
     (found,) = warned(foot, BESIDE_FOOT, replace(DISC, centre_mm=centre_mm))
     assert percent(found) == share
     assert (found.correction_id, found.place_mm) == ("disc", centre_mm)
-    assert found.sentence == "Only 0% of the free-hand pad lie below the foot; move it inwards."
+    assert found.sentence == "Only 0% of the free-hand pad lies below the foot; move it inwards."
 
 
 def test_a_pad_on_the_border_counts_by_its_part_below_the_foot(foot: Foot) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sqlite3
 from dataclasses import replace
 from datetime import date, timedelta
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -31,6 +32,7 @@ from insole_core.records.prescription import Base
 from insole_core.records.records import Records
 from insole_core.records.schema import prescription_versions
 from insole_core.records.visit import Visit
+from insole_core.workflows.starting_design import last_design, starting_device
 
 TODAY = date.today()
 
@@ -288,23 +290,38 @@ def test_a_failed_audit_line_undoes_its_change(
     assert records.mark() == mark
 
 
+@pytest.mark.parametrize("has_corrections", [True, False])
 def test_the_last_prescription_is_found_and_no_other_surface_is_read(
-    records: Records, visit: Visit, foot_record: FootRecord, right_record: FootRecord
+    records: Records,
+    visit: Visit,
+    foot_record: FootRecord,
+    right_record: FootRecord,
+    tmp_path: Path,
+    has_corrections: bool,
 ) -> None:
-    design = foot_record.design.with_added(HeelLift(height_mm=6.0))
+    """A chosen thickness is prescribed as a lift is; a design as it begins is not."""
+    starting = starting_device(tmp_path)
+    begun = starting.design(foot_record.foot)
+    design = begun.with_added(HeelLift(height_mm=6.0))
+    if not has_corrections:
+        design = replace(begun, thickness_mm=begun.thickness_mm + 0.7)
     before = replace(visit, id=new_id(), visited_on=TODAY - timedelta(days=30))
     before = records.visits.add(before)
     records.prescriptions.save(before.id, foot_record.with_design(design), None)
     moved = replace(foot_record.foot.mesh, vertices=foot_record.foot.mesh.vertices + 1.0)
-    scanned = replace(foot_record, foot=replace(foot_record.foot, mesh=moved))
+    scanned = replace(foot_record, foot=replace(foot_record.foot, mesh=moved)).with_design(begun)
     records.prescriptions.save(visit.id, scanned, None)
     records.prescriptions.save(visit.id, right_record, None)
     kept = records.prescriptions.versions(before.id, Side.LEFT)[0]
     for path in records.contents.folder.glob("??/*"):
         if path.name != content_of(records, kept.id):
             path.unlink()
-    (found,) = records.prescriptions.last_prescribed(visit.person_id)
+    (found,) = records.prescriptions.last_prescribed(visit.person_id, starting.prescribes)
     assert found.design == design
+    template = last_design(found, starting)
+    assert template is not None
+    assert template.design.thickness_mm == design.thickness_mm
+    assert last_design(right_record, starting) is None
 
 
 def content_of(records: Records, version_id: str) -> str:

@@ -64,7 +64,7 @@ def test_a_pad_pushed_off_the_foot_is_warned_of_until_it_is_back(
         QTest.keyClick(view.surface, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
     settle()
     (label,) = saying(opened, "below the foot")
-    assert "of the pelott lie below the foot; move it inwards." in label.text()
+    assert "of the pelott lies below the foot; move it inwards." in label.text()
     for _ in range(len(opened.case.history) - 1):
         opened.window.actions_by_key["undo"].trigger()
     settle()

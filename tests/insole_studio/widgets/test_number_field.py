@@ -92,6 +92,13 @@ def test_a_number_beyond_the_range_is_refused_in_words_and_never_shortened(
     assert not field.refusal.isVisible()
 
 
+def test_a_unit_that_is_refused_is_said_as_it_was_typed(field: NumberField) -> None:
+    field.selectAll()
+    QTest.keyClicks(field, "3.5 cm")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.refusal.text().startswith("3.5 cm cannot be taken; put in")
+
+
 def test_what_is_typed_is_refused_when_the_field_is_left_as_well(field: NumberField) -> None:
     field.selectAll()
     QTest.keyClicks(field, "120")

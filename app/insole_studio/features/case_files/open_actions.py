@@ -205,7 +205,8 @@ class OpenActions:
         if not self._is_untouched(before):
             answer = self._messages.questions.about_same_side(foot.side)
         if answer is SameSide.REPLACE:
-            foot = replace(foot, earlier=last_design(before))
+            starting = starting_device(self._services.paths.settings_folder)
+            foot = replace(foot, earlier=last_design(before, starting))
             self._tell(scanned)
             self._case.apply(foot, tr("Put a new scan into the place of the old"))
         elif answer is SameSide.NEW_CASE:
@@ -226,13 +227,10 @@ class OpenActions:
 
     def _is_untouched(self, foot: FootRecord) -> bool:
         """Return whether a foot has not been edited since its design began."""
-        device = starting_device(self._services.paths.settings_folder)
-        begun = (
-            FootRecord.begun(foot.foot, foot.source, design)
-            for design in (device.design(foot.foot), None)
-        )
-        edited = foot.variants, foot.annotations
-        return any(edited == (record.variants, record.annotations) for record in begun)
+        starting = starting_device(self._services.paths.settings_folder)
+        begun = FootRecord.begun(foot.foot, foot.source, foot.design)
+        is_begun = (foot.variants, foot.annotations) == (begun.variants, begun.annotations)
+        return is_begun and not starting.prescribes(foot.design)
 
 
 def _invented(patient: Patient) -> Patient:

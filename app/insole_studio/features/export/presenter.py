@@ -15,6 +15,7 @@ from insole_core.cases.days import read_day
 from insole_core.cases.order_note import OrderNote
 from insole_core.errors import InsoleError
 from insole_core.export.shop_order import OrderTerms, Release, ShopOrder
+from insole_core.files.write_errors import is_there
 from insole_core.formats.solid_content import merged
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
@@ -414,14 +415,14 @@ class ExportPresenter:
             self._asker.tell(error)
             return
         files = files_of(self.parts, order, path, self._override() is not None)
-        there = [file for file in files if file.exists()]
+        there = [file for file in files if is_there(file)]
         if not there or self._asker.may_replace(there):
             self.export_to(path)
 
     def _ask_package(self, package: Package) -> None:
         """Let the user choose where the order is written, and write it."""
         path = self._asker.package_path(self._release.number, package)
-        if path is not None and (not path.exists() or self._asker.may_replace([path])):
+        if path is not None and (not is_there(path) or self._asker.may_replace([path])):
             self.export_package_to(path)
 
     def export_package_to(self, path: Path) -> None:

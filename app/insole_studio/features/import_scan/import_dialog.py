@@ -171,7 +171,10 @@ class ImportDialog(QDialog):
         self._units = QVBoxLayout()
         self.candidates = _list(tr("How it lies"))
         self.candidates.currentRowChanged.connect(self.candidate_chosen)
-        self.clicks = plain_button(tr("Click heel, toes and sole"), self.clicks_wanted.emit)
+        self.clicks = plain_button(
+            tr("Click heel, toes and sole"),
+            lambda: self.clicks_wanted.emit(self.clicks.isChecked()),
+        )
         self.clicks.setCheckable(True)
         self.take_back = plain_button(tr("Take the last click back"), self.click_taken_back.emit)
         self.size_fields = SizeFields()
@@ -219,6 +222,7 @@ class ImportDialog(QDialog):
         anew
             Whether the camera is to show the whole of it.
         """
+        self.clicks.setEnabled(mesh is not None)
         if mesh is None:
             self.model.show_empty(tr("Choose the unit of the file, or a length that is known."), {})
             return

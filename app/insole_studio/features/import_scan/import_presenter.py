@@ -79,6 +79,8 @@ class ImportPresenter(QObject):
         self._chosen: list[FootCandidate | None] = []
         self._said: dict[int, Side] = {}
         """Which foot each one is, where the user has said it."""
+        self._said_of = len(found.feet)
+        """Number of the feet of which it was said."""
         self._told: set[str] = set()
         """The warnings that were shown; they are not said a second time with the foot."""
         dialog.show_reading(found.choice)
@@ -256,8 +258,8 @@ class ImportPresenter(QObject):
         self._found = found
         self._force = bool(found.refusal) or found.choice.force
         self._clicks = []
-        if len(found.feet) != len(self._chosen):
-            self._said = {}  # other feet than those of which something was said
+        if found.feet and len(found.feet) != self._said_of:  # other feet; none in a wrong unit
+            self._said, self._said_of = {}, len(found.feet)
         numbers = range(len(found.feet))
         self._chosen = [found.proposed(number, self._said.get(number)) for number in numbers]
         self._shown = min(self._shown, max(len(found.feet) - 1, 0))

@@ -14,6 +14,7 @@ from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
 from insole_core.records.prescription import ScannedFoot
 from insole_core.workflows.starting_design import (
+    StartingDevice,
     fitted,
     last_design,
     on_earlier_scan,
@@ -118,10 +119,12 @@ class SamePrescription(QObject):
         self._case.apply(self.prescribed(replace(foot, earlier=template)), step)
 
 
-def last_prescriptions(records: Records, person_id: str) -> dict[Side, Template]:
+def last_prescriptions(
+    records: Records, person_id: str, starting: StartingDevice
+) -> dict[Side, Template]:
     """Return the last prescription of each foot of a person, on whichever visit it was."""
-    feet = records.prescriptions.last_prescribed(person_id)
-    templates = {foot.side: last_design(foot) for foot in feet}
+    feet = records.prescriptions.last_prescribed(person_id, starting.prescribes)
+    templates = {foot.side: last_design(foot, starting) for foot in feet}
     return {side: template for side, template in templates.items() if template is not None}
 
 

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 from insole_core.cases.case_record import Patient
 from insole_core.errors import InsoleError
 from insole_core.files.atomic import make_private_folder
-from insole_core.files.write_errors import output_errors
+from insole_core.files.write_errors import is_there, output_errors
 from insole_core.formats.file_formats import SOLID_FORMATS
 from insole_core.progress import Progress
 from insole_core.records.order import OrderSummary
@@ -90,7 +90,7 @@ class NestActions(QObject):
         except InsoleError as error:
             self._tell(error)
             return
-        there = [p for p in places_of_nest(out, choice.milling).values() if p.exists()]
+        there = [p for p in places_of_nest(out, choice.milling).values() if is_there(p)]
         if there and not questions.may_replace(there):
             return
         folder = self._services.paths.papers_folder / uuid.uuid4().hex

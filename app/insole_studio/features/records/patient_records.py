@@ -22,6 +22,7 @@ from insole_core.records.prescription import VersionSummary
 from insole_core.records.record_field import FieldChoice, merge_fields, settle_fields, typed_fields
 from insole_core.records.visit import CaptureState, FollowUp, Visit, fields_of_patient
 from insole_core.visible_text import visible_line
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.case_names import case_name
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import PatientConflict
@@ -241,8 +242,10 @@ class PatientRecords(QObject):
             return
         self._is_adding_visit = True
 
+        folder = self._services.paths.settings_folder
+
         def add(records: Records) -> dict[Side, Template]:
-            templates = last_prescriptions(records, visit.person_id)
+            templates = last_prescriptions(records, visit.person_id, starting_device(folder))
             records.visits.add(visit)
             return templates
 

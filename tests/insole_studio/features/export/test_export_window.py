@@ -157,9 +157,11 @@ def test_dialogs_are_over_the_stage_which_stays_above_the_main_window_and_go_wit
     dialog.done(0)
     assert app.services.messages.dialogs == []
 
+    paths_given.answer = tmp_path / f"{'å' * 124}.stl"  # allowed, but not with the side
     QTest.mouseClick(stage.view.export, LEFT)
     settle()
-    assert len(app.services.messages.dialogs) == 1
+    (dialog,) = app.services.messages.dialogs
+    assert "the name is too long" in dialog.text()
     stage.close()
     qtbot.waitUntil(lambda: app.services.messages.dialogs == [])
 

@@ -183,12 +183,15 @@ def test_a_unit_that_makes_no_foot_is_refused_and_another_one_taken(
 ) -> None:
     dialog = open_scan(replace(right_foot, vertices=right_foot.vertices / 25.4))
     assert dialog is not None
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
     choose_size(dialog.size_fields, "mm")
     settle()
     assert "read in millimetres" in dialog.doubts.text()
     assert not dialog.open_button.isEnabled()
     choose_size(dialog.size_fields, "inch")
     settle()
+    assert dialog.sides[Side.LEFT].isChecked()  # what the user has said stays said
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     settle()
     assert app.case.foot is not None
@@ -288,6 +291,30 @@ def test_both_feet_of_a_box_are_opened_at_once_and_of_the_reopened_case_read_as_
     for one, again in zip(before, after, strict=True):
         assert (one.side, one.foot.notes) == (again.side, again.foot.notes)
         np.testing.assert_array_equal(one.foot.mesh.vertices, again.foot.mesh.vertices)
+
+
+def test_heel_toes_and_sole_are_clicked_where_the_pose_is_not_found(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    QTest.mouseClick(dialog.clicks, LEFT)
+    assert "heel" in dialog.hint.text()
+    QTest.mouseClick(dialog.clicks, LEFT)
+    assert not dialog.hint.isVisible()
+    QTest.mouseClick(dialog.clicks, LEFT)
+    scene = dialog.model.scene
+    for y_mm in (20.0, 230.0, 120.0):
+        assert dialog.hint.isVisible()
+        QTest.mouseClick(scene.surface, LEFT, pos=pixel(scene, 0.0, y_mm))
+    settle()
+    assert not dialog.hint.isVisible()
+    assert not dialog.clicks.isChecked()
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert app.case.foot is not None
+    assert app.case.foot.side is Side.RIGHT
+    assert app.case.foot.length_mm == pytest.approx(np.ptp(right_foot.vertices[:, 1]), rel=0.02)
 
 
 @pytest.mark.slow

@@ -349,6 +349,32 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     )
 
 
+def test_a_prescription_without_corrections_is_the_same_on_a_new_visit(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+) -> None:
+    opened = records.visits.open_case(visit.id)
+    foot = opened.record.feet[0]
+    thicker = foot.with_design(replace(foot.design, corrections=(), thickness_mm=3.7))
+    records.prescriptions.save(visit.id, thicker, opened.bases[Side.LEFT])
+    clinic.controller.run_action("new_visit_same", False)
+
+    def told() -> list[str]:
+        shown = clinic.services.notices.notices
+        return [notice.text for notice in shown if notice.key == "same-prescription"]
+
+    qtbot.waitUntil(lambda: bool(told()))
+    assert "as last time: left: no corrections" in told()[0]
+    clinic.case.open_foot(make_foot(Side.LEFT), ScanSource("mesh", "/nowhere/new.ply", "1" * 64))
+    design = clinic.case.record.design
+    assert design is not None
+    assert design.thickness_mm == 3.7
+
+
 def test_nothing_is_scanned_on_the_page_of_a_person_without_a_visit(
     page: PersonPage, clinic: Application, visit: Visit, rest: Callable[[], None], qtbot: QtBot
 ) -> None:

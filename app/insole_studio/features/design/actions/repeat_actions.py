@@ -12,12 +12,18 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
 from insole_core.progress import Progress
-from insole_core.workflows.starting_design import find_last_design, fitted, identity, prescribed_at
+from insole_core.workflows.starting_design import (
+    find_last_design,
+    fitted,
+    identity,
+    prescribed_at,
+    starting_device,
+)
 from insole_studio.features.design.actions.feet_actions import FeetActions
 from insole_studio.features.design.actions.variant_actions import may_replace
 from insole_studio.features.design.correction_names import name_of
 from insole_studio.services.app_services import AppServices
-from insole_studio.texts import tr
+from insole_studio.texts import tr, translate_core_message
 
 CHANNEL = "earlier"
 NOTICE, MIRROR = "repeat", "mirror"
@@ -80,6 +86,7 @@ class RepeatActions(QObject):
             return
         if may_replace(self._messages.questions, foot.design, design):
             self._case.apply(design, tr("Repeat the last design"))
+            self._notices.drop(NOTICE)  # also of one that holds no corrections
 
     def _offer_mirror(self, foot: FootRecord) -> None:
         """Offer the mirrored prescription of the other foot, once per foot without one."""
@@ -128,7 +135,8 @@ class RepeatActions(QObject):
         paths = [Path(name) for name in self._recent.names if Path(name) != self._case.path]
 
         def search(progress: Progress) -> Template | None:
-            return find_last_design(paths, patient, side, progress)
+            starting = starting_device(self._services.paths.settings_folder)
+            return find_last_design(paths, patient, side, starting, progress)
 
         def found(template: Template | None) -> None:
             self._found[key] = template
@@ -139,7 +147,8 @@ class RepeatActions(QObject):
 
 
 def _describe(template: Template) -> str:
-    names = ", ".join(dict.fromkeys(name_of(c) for c in template.design.corrections))
+    of_corrections = dict.fromkeys(name_of(c) for c in template.design.corrections)
+    names = ", ".join(of_corrections) or translate_core_message(template.design.device)
     day = prescribed_at(template.design)[:10]
     if not day:
         return tr("Prescribed for this foot before: {names}.").format(names=names)
