@@ -10,8 +10,8 @@ from typing import Protocol
 import numpy as np
 from matplotlib.figure import Figure
 
-from insole_core.calibration.walls.captures import WallCapture
-from insole_core.calibration.walls.distortion import calibrate_distortion
+from insole_core.calibration.walls.captures import WallCapture, check_same_device
+from insole_core.calibration.walls.distortion import correction_of_walls
 from insole_core.calibration.walls.thesis_maps import cubic_map, mean_map
 from insole_core.calibration.walls.wall_plane import fit_wall, plane_rows
 from insole_core.errors import CalibrationError
@@ -279,18 +279,18 @@ def leave_one_out(
             least=_LEAST_WALLS,
             count=len(captures),
         )
+    check_same_device(captures)
     rows = plane_rows(camera)
     walls = [fit_wall(capture, rows, disparity) for capture in captures]
     errors: dict[str, list[WallError]] = {}
     for i, capture in enumerate(captures):
         progress.step(i / len(captures), "Calibrating without {capture}", capture=capture.name)
         others = [*walls[:i], *walls[i + 1 :]]
-        default = calibrate_distortion([wall.capture for wall in others], camera, disparity)
         corrections: dict[str, Correction] = {
             "raw": NoCorrection(),
             "algorithm 1": mean_map(others),
             "algorithm 2": cubic_map(others, disparity),
-            "default": default.correction,
+            "default": correction_of_walls(others, camera),
         }
         for name, correction in corrections.items():
             error = wall_error(capture, correction, camera, disparity)

@@ -21,6 +21,7 @@ from insole_core.calibration.walls.smooth_map import (
 )
 from insole_core.calibration.walls.wall_plane import NoWallError, WallFit, fit_wall, plane_rows
 from insole_core.errors import CalibrationError
+from insole_core.geometry.arrays import FloatArray
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
@@ -126,27 +127,28 @@ def calibrate_distortion(
     check_same_device(captures)
     rows = plane_rows(camera)
     walls, left_out = _find_walls(captures, camera, disparity, progress.part(0, 0.5))
-    progress.step(0.5, "Solving the distortion map")
-    blocks, solved = _solve(walls, rows, options)
-    uneven = _uneven(blocks, solved, options)
-    if uneven.any():
-        left_out |= {
-            wall.capture.name: "it is not flat, or something stood before it."
-            for wall, bad in zip(walls, uneven, strict=True)
-            if bad
-        }
-        walls = [wall for wall, bad in zip(walls, uneven, strict=True) if not bad]
-        if len(walls) < 2:
-            raise CalibrationError(
-                "The walls contradict each other ({walls}); capture a flat, empty wall at several "
-                "distances.",
-                walls=joined(left_out),
-            )
-        progress.step(0.7, "Solving again without uneven walls")
-        blocks, solved = _solve(walls, rows, options)
+    walls, blocks, solved = _solve_even(walls, left_out, rows, options, progress.part(0.5, 0.9))
     progress.step(0.9, "Judging the map")
     correction = _correction(blocks, solved, options, serial or walls[0].capture.serial)
-    return _judged(correction, walls, left_out, disparity, options)
+    deviation = np.maximum(to_pixels(solved.deviation, blocks.shape), 0).astype(np.float32)
+    return _judged(replace(correction, deviation=deviation), walls, left_out, disparity, options)
+
+
+def correction_of_walls(walls: Sequence[WallFit], camera: PinholeCamera) -> DisparityCorrection:
+    """Fit the map to walls of one device that are found already, and say nothing of its deviation.
+
+    Parameters
+    ----------
+    camera
+        The depth camera.
+
+    Raises
+    ------
+    CalibrationError
+        If the walls contradict each other.
+    """
+    even, blocks, solved = _solve_even(list(walls), {}, plane_rows(camera), _DEFAULTS, SILENT)
+    return _correction(blocks, solved, _DEFAULTS, even[0].capture.serial)
 
 
 def _find_walls(
@@ -170,6 +172,35 @@ def _find_walls(
         name, reason = next(iter(left_out.items()))
         raise CalibrationError("{what}: {reason}", what=name, reason=reason)
     return walls, left_out
+
+
+def _solve_even(
+    walls: list[WallFit],
+    left_out: dict[str, str],
+    rows: FloatArray,
+    options: DistortionOptions,
+    progress: Progress,
+) -> tuple[list[WallFit], MapBlocks, BlockMap]:
+    """Solve for the map, without the walls that are not flat: these are added to `left_out`."""
+    progress.step(0.0, "Solving the distortion map")
+    blocks, solved = _solve(walls, rows, options)
+    uneven = _uneven(blocks, solved, options)
+    if not uneven.any():
+        return walls, blocks, solved
+    left_out |= {
+        wall.capture.name: "it is not flat, or something stood before it."
+        for wall, bad in zip(walls, uneven, strict=True)
+        if bad
+    }
+    even = [wall for wall, bad in zip(walls, uneven, strict=True) if not bad]
+    if len(even) < 2:
+        raise CalibrationError(
+            "The walls contradict each other ({walls}); capture a flat, empty wall at several "
+            "distances.",
+            walls=joined(left_out),
+        )
+    progress.step(0.5, "Solving again without uneven walls")
+    return even, *_solve(even, rows, options)
 
 
 def _solve(
@@ -200,7 +231,6 @@ def _correction(
         decay=solved.decay / SPAN_RAW,
         raw_range=(float(low - options.extrapolate_raw), float(high + options.extrapolate_raw)),
         coverage=np.kron(coverage, np.ones((BLOCK_PX, BLOCK_PX), np.uint8)),
-        deviation=np.maximum(to_pixels(solved.deviation, blocks.shape), 0).astype(np.float32),
         record=CorrectionRecord(
             serial=serial,
             made_at=datetime.now(UTC).isoformat(timespec="seconds"),

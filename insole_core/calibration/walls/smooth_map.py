@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import cv2
@@ -150,6 +151,12 @@ class Smoothing:
     slope_shrink: float = 0.3
 
 
+class _Factor(Protocol):
+    """A factorised symmetric matrix."""
+
+    def solve(self, right: FloatArray) -> FloatArray: ...
+
+
 @dataclass(frozen=True, eq=False)
 class BlockMap:
     """A solved distortion map.
@@ -158,30 +165,38 @@ class BlockMap:
     ----------
     offset : (blocks,) float64, raw units, at `reference_raw`
     slope : (blocks,) float64, raw units per `SPAN_RAW`
-    deviation : (blocks,) float64, raw units
-        Standard deviation of a corrected block: the uncertainty of the map, and the residuals of
-        the walls there.
     noise_raw
         Robust standard deviation of a block.
     decay
         The k that bends the slope, per `SPAN_RAW`: Herrera's exponent.
     remaining : (n, blocks) float64, raw units
         Residuals after map and planes.
+    weight : (n, blocks) float64
+        How much each of them counts.
+    shape
+        Rows and columns of blocks.
+    factor
+        The factorised normal matrix.
     """
 
     offset: FloatArray
     slope: FloatArray
-    deviation: FloatArray
     reference_raw: float
     noise_raw: float
     decay: float
     remaining: FloatArray
+    weight: FloatArray
+    shape: tuple[int, int]
+    factor: _Factor
 
+    @cached_property
+    def deviation(self) -> FloatArray:
+        """(blocks,) float64, raw units: standard deviation of a corrected block.
 
-class _Factor(Protocol):
-    """A factorised symmetric matrix."""
-
-    def solve(self, right: FloatArray) -> FloatArray: ...
+        It holds the uncertainty of the map, and the residuals of the walls there.
+        """
+        unit = _unit_std(self.factor, self.shape, 2 * len(self.offset))
+        return _std(self.remaining, self.weight, unit)
 
 
 def solve_map(blocks: MapBlocks, smoothing: Smoothing) -> BlockMap:
@@ -220,9 +235,7 @@ def solve_map(blocks: MapBlocks, smoothing: Smoothing) -> BlockMap:
         weight = blocks.weight * np.clip(1 - (remaining / cut) ** 2, 0, None) ** 2
     if blocks.free_plane.all():
         offset, slope = (_without_plane(part, blocks) for part in (offset, slope))
-    unit = _unit_std(factor, blocks.shape, 2 * count)
-    std = _std(remaining, weight, unit)
-    return BlockMap(offset, slope, std, reference, noise, decay, remaining)
+    return BlockMap(offset, slope, reference, noise, decay, remaining, weight, blocks.shape, factor)
 
 
 def _factor(
