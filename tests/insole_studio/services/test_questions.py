@@ -79,34 +79,32 @@ def test_the_case_of_another_patient_is_not_overwritten_unasked(
     assert asking.case.path == tmp_path / "B. Name 2.insole"
 
 
-@pytest.mark.parametrize(
-    ("action", "suffix"),
-    [
-        ("save_as", ".insole"),
-        ("save_template", ".insole-template"),
-        ("save_measures", ".csv"),
-        ("print_measures", ".pdf"),
-        ("print_outline", ".pdf"),
-    ],
-)
+ASKING = {
+    "save_as": ".insole",
+    "save_template": ".insole-template",
+    "save_measures": ".csv",
+    "print_measures": ".pdf",
+    "print_outline": ".pdf",
+}
+"""Actions that ask for the name of a file, and its ending."""
+
+
 def test_every_dialog_asks_about_the_completed_name(
-    asking: Application,
-    opened: Application,
-    settle: Callable[[], None],
-    tmp_path: Path,
-    action: str,
-    suffix: str,
+    asking: Application, opened: Application, settle: Callable[[], None], tmp_path: Path
 ) -> None:
-    there, namesake = tmp_path / f"B. Name{suffix}", tmp_path / f"B{suffix}"
-    there.write_text("old")
-    namesake.write_text("old")
-    with answering(tmp_path / "B. Name", "Replace them") as given:
-        asking.window.actions_by_key[action].trigger()
-    settle()
-    assert given.asked == [f"These files are there already: {there.name}"]
-    assert namesake.read_text() == "old"
-    assert there.read_bytes() != b"old"
-    assert sorted(p.name for p in tmp_path.glob("B*")) == sorted([there.name, namesake.name])
+    for action, suffix in ASKING.items():
+        folder = tmp_path / action
+        folder.mkdir()
+        there, namesake = folder / f"B. Name{suffix}", folder / f"B{suffix}"
+        there.write_text("old")
+        namesake.write_text("old")
+        with answering(folder / "B. Name", "Replace them") as given:
+            asking.window.actions_by_key[action].trigger()
+        settle()
+        assert given.asked == [f"These files are there already: {there.name}"]
+        assert namesake.read_text() == "old"
+        assert there.read_bytes() != b"old"
+        assert {path.name for path in folder.glob("B*")} == {there.name, namesake.name}
 
 
 def test_the_report_of_a_comparison_is_asked_about_by_its_completed_name(
