@@ -22,7 +22,7 @@ from postgres_server import PostgresServer, binaries, running_server
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
-from stations import keep_quickly, migrated_database
+from stations import begin_migrated, keep_quickly, migrated_database
 
 from benchmarks._measure import resident_mb
 from insole_core.cases.scan_source import ScanSource
@@ -83,14 +83,8 @@ def same_results(kept: SharedResults) -> Iterator[None]:
 def quick_records(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Let a new record begin as a copy of one whose tables are made already, and keep quickly."""
     content = migrated_database(tmp_path_factory.mktemp("migrated")).read_bytes()
-    make_file = open_module._make_file
-
-    def make_migrated(path: Path) -> None:
-        make_file(path)
-        path.write_bytes(content)
-
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(open_module, "_make_file", make_migrated)
+        begin_migrated(patch, content)
         keep_quickly(patch)
         yield
 

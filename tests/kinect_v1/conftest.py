@@ -15,7 +15,7 @@ from kinect_v1.pixels import encode_image
 from kinect_v1.usb_bus import UsbBus
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="session")
 def images() -> Images:
     """Three pictures of every mode for every sensor."""
     return {
@@ -27,7 +27,7 @@ def images() -> Images:
     }
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="session")
 def footage(images: Images) -> Footage:
     """The same, packed as the sensors send them."""
     return {

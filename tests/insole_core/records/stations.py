@@ -15,6 +15,7 @@ from sqlalchemy import Connection, Engine, Table, event
 from insole_core.cases.stored_mesh import pack_mesh
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.records import database, passwords, prescriptions
+from insole_core.records import records as open_module
 from insole_core.records.accounts import Account, Accounts
 from insole_core.records.author import Author, Proof, Role
 from insole_core.records.backup import back_up, portable_rows, restore
@@ -121,6 +122,17 @@ def migrated_database(folder: Path) -> Path:
     place.database_file.touch()
     make_tables(place)
     return place.database_file
+
+
+def begin_migrated(patch: pytest.MonkeyPatch, content: bytes) -> None:
+    """Let a new record begin as a copy of one whose tables are made already."""
+    make_file = open_module._make_file
+
+    def make_migrated(path: Path) -> None:
+        make_file(path)
+        path.write_bytes(content)
+
+    patch.setattr(open_module, "_make_file", make_migrated)
 
 
 @dataclass

@@ -15,7 +15,7 @@ from insole_studio.cli import main
 SIMULATED = cache(simulate.simulate_session)
 
 
-@pytest.fixture(scope="package", autouse=True)
+@pytest.fixture(scope="module", autouse=True)
 def coarse_designs() -> Iterator[None]:
     """Let each command design on the coarse grid."""
     with pytest.MonkeyPatch.context() as patch:
@@ -23,15 +23,17 @@ def coarse_designs() -> Iterator[None]:
         yield
 
 
-@pytest.fixture(scope="package", autouse=True)
+PARSER_OF = cache(main.command_parser)
+
+
+@pytest.fixture(scope="module", autouse=True)
 def same_parsers() -> Iterator[None]:
     """Let calls of one command share its parser, which parses none differently from the other."""
-    parser_of = cache(main.command_parser)
 
     def parser(words: Collection[str] | None = None) -> argparse.ArgumentParser:
         if words is None:
-            return parser_of()
-        return parser_of(tuple(c.NAME for c in main.COMMANDS if c.NAME in words))
+            return PARSER_OF()
+        return PARSER_OF(tuple(c.NAME for c in main.COMMANDS if c.NAME in words))
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(main, "command_parser", parser)

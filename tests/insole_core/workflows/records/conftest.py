@@ -8,7 +8,7 @@ from datetime import date
 from pathlib import Path
 
 import pytest
-from stations import keep_quickly
+from stations import begin_migrated, keep_quickly, migrated_database
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
@@ -31,6 +31,19 @@ NAME = "Åsa </h1><script>alert(1)</script> Öberg"
 def quick_keeping() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         keep_quickly(patch)
+        yield
+
+
+@pytest.fixture(scope="session")
+def migrated(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    """A database with tables and nothing in them."""
+    return migrated_database(tmp_path_factory.mktemp("migrated")).read_bytes()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def with_tables(migrated: bytes) -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        begin_migrated(patch, migrated)
         yield
 
 
