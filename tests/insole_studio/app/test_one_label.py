@@ -24,6 +24,8 @@ from insole_studio.features.records.visit_card import VisitCard
 from insole_studio.scene.pointer import Phase, PointerEvent
 from insole_studio.scene.view_camera import Subject
 
+pytestmark = pytest.mark.one_window
+
 ACTIONS_BY_KEY = {record.key: record for record in ACTIONS}
 SAYS_MORE = {"lock", "toggle_as_scanned"}
 """Actions that a button names by what comes of it there: signing in, the one of two states."""

@@ -38,6 +38,8 @@ from insole_studio.features.foot.view import FootStageView
 from insole_studio.widgets.form_parts import Fold
 from insole_studio.widgets.number_field import NumberField
 
+pytestmark = pytest.mark.one_window
+
 FIELDS = (QAbstractSpinBox, QComboBox, QCheckBox, QLineEdit, QPlainTextEdit, QSlider)
 PLAIN = {"Name", "Born", "Visit", "Notes", "Patient", "Body weight"}
 """Labels that say all there is to say."""

@@ -18,6 +18,8 @@ from insole_studio.features.design.shoe.shoe_dialog import ShoeDialog
 from insole_studio.widgets.form_parts import ComboBox
 from tests.insole_core.insole.test_shoes import last
 
+pytestmark = pytest.mark.one_window
+
 Settle = Callable[[], None]
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from datetime import date
 from pathlib import Path
 
+import pytest
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.scan_source import ScanSource
@@ -17,6 +18,8 @@ from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_studio.app.bootstrap import Application
+
+pytestmark = pytest.mark.one_window
 
 MOST_BYTES = 10_000_000
 

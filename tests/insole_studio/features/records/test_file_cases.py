@@ -29,6 +29,8 @@ from insole_studio.features.records.patient_dialogs import ChoosePersonDialog
 from insole_studio.features.records.record_dialogs import OrderDialog
 from insole_studio.user_paths import UserPaths
 
+pytestmark = pytest.mark.one_window
+
 LEFT = Qt.MouseButton.LeftButton
 
 

@@ -24,6 +24,8 @@ from insole_studio.app.actions import ACTIONS
 from insole_studio.app.bootstrap import Application
 from insole_studio.services.questions import Answer
 
+pytestmark = pytest.mark.one_window
+
 
 @pytest.fixture
 def oberg(records: Records) -> Person:
