@@ -19,6 +19,7 @@ from insole_core.contact.change import SENTENCE, Change
 from insole_core.imprints.form import Form
 from insole_core.insole.elements import Pelott
 from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.shell import Shell
 from insole_core.pressure.laid_map import Placement, PressureMap
 from insole_core.workflows.plantar_pressure import with_pressure
 from insole_core.workflows.starting_design import mirrored_foot
@@ -276,6 +277,16 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
     act(app, "map_load")
     (again,) = (one for one in app.window.findChildren(LoadDialog) if one.isVisible())
     assert again.is_read
+    # Its weight is that of the person: as it was put in, or as the design says since.
+    assert again.weight.value() == 75
+    case = app.case.record.design
+    assert case is not None
+    lighter = replace(case.shell or Shell(), body_weight_kg=60.0)
+    app.case.apply(replace(case, shell=lighter), "Body weight")
+    settle()
+    assert again.weight.value() == 60
+    assert load.change is not None
+    assert load.change.loading.weight_kg == 60
     act(app, "new_case")
     settle()
     assert load.change is None

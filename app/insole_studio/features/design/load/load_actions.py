@@ -47,14 +47,18 @@ class LoadActions:
         self._dialog: LoadDialog | None = None
         self._is_beside = False
         """Whether a variant stands beside because both are told."""
+        self._weight_kg = self._prescribed_kg = 0.0
+        """What was put in for this case, and what its design said then; 0 while unknown."""
         load.told.connect(self._show_told)
         self._case.changed.connect(self._show_variants)
+        self._case.changed.connect(self._follow_weight)
         self._case.selection_changed.connect(self._aim)
 
     def leave_case(self) -> None:
         """Close the window before another case comes: its weight is that of this person."""
         if self._dialog is not None:
             self._dialog.reject()
+        self._weight_kg = 0.0
 
     def show(self) -> None:
         """Open the window, and colour both views once something is asked."""
@@ -64,9 +68,8 @@ class LoadActions:
         if self._dialog is None:
             is_read = self._services.settings.pressure_change_read
             self._dialog = dialog = LoadDialog(is_read=is_read, parent=self._services.window)
-            design = self._case.record.design
-            if design is not None and design.shell is not None and design.shell.body_weight_kg:
-                dialog.weight.show_value(design.shell.body_weight_kg)
+            self._prescribed_kg = self._weight_of_design()
+            dialog.weight.show_value(self._prescribed_kg or self._weight_kg)
             dialog.papers.setChecked(self._load.is_on_papers)
             dialog.papers.toggled.connect(self._load.put_on_papers)
             dialog.asked.connect(self._ask)
@@ -77,6 +80,21 @@ class LoadActions:
             dialog.show_beside(self._view)
             self._ask()
         self._dialog.raise_()
+
+    def _weight_of_design(self) -> float:
+        design = self._case.record.design
+        shell = None if design is None else design.shell
+        return 0.0 if shell is None else shell.body_weight_kg or 0.0
+
+    def _follow_weight(self) -> None:
+        """Take over the weight that the design says from now on: it is of the same person."""
+        weight_kg = self._weight_of_design()
+        if self._dialog is None or weight_kg == self._prescribed_kg:
+            return
+        self._prescribed_kg = weight_kg
+        if weight_kg:
+            self._dialog.weight.show_value(weight_kg)
+            self._ask()
 
     def _ask(self) -> None:
         assert self._dialog is not None
@@ -137,6 +155,8 @@ class LoadActions:
             dialog.dose.say(_dose_text(self._load.dose, name_of(pad), target.percent))
 
     def _close(self) -> None:
+        assert self._dialog is not None
+        self._weight_kg = self._dialog.weight.value()
         self._dialog = None
         self._view.leave_room(0)
         self._load.aim(None)
