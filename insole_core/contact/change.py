@@ -50,6 +50,9 @@ _PUBLISHED = (-67.0, 110.0)
 reliefs up to 57 % (Chen, Ju and Tang, Clin. Biomech. 18, 2003), and twice the pressure on a pad."""
 _NONE, _NOT_LOADED = Message(""), Message("Nothing pressed there before.")
 _MOVED = Message("The most pressed place is now one where nothing pressed before.")
+_CARRIES_MORE = Message("Its most pressed place is relieved, but it carries more in all.")
+_MOST_MORE_PERCENT = 25.0
+"""Load that a region may gain while its peak falls."""
 _AS_GROUP = Message("Nothing is told of the heads together, so of none alone.")
 _BESIDE = Message("The place lies beside the sole of the foot.")
 _TOO_UNSURE = Message("What is not known of the foot changes it too much.")
@@ -319,6 +322,8 @@ class Change:
             return _NOT_LOADED
         if new < old and self._is_newly_pressed(name):
             return _MOVED
+        if new < old and (self.of(name).load_percent or 0.0) > _MOST_MORE_PERCENT:
+            return _CARRIES_MORE
         return _NONE
 
     def _is_newly_pressed(self, name: str) -> bool:

@@ -1608,6 +1608,10 @@
             <translation>Den delar USB-styrenhet {bus} med en annan sensor, så de två turas om; anslut den ena till en egen styrenhet för att avbilda med båda samtidigt.</translation>
         </message>
         <message>
+            <source>Its most pressed place is relieved, but it carries more in all.</source>
+            <translation>Dess mest tryckta ställe avlastas, men den bär mer totalt.</translation>
+        </message>
+        <message>
             <source>Its motor does not run, because its audio firmware is not loaded; tilt it by hand.</source>
             <translation>Dess motor går inte, eftersom ljuddelens fasta program inte är laddat; luta den för hand.</translation>
         </message>

@@ -272,6 +272,22 @@ def test_a_lower_peak_where_nothing_pressed_before_is_no_relief(from_flat: Chang
     assert not replace(from_flat, old=old, new=replace(old, mpa=old.mpa / 2)).reason("midfoot")
 
 
+def test_a_lower_peak_of_a_region_that_carries_more_is_no_relief(from_flat: Change) -> None:
+    """As behind the heads, where a pad takes over what they have pressed with at their border."""
+    midfoot = inside(from_flat.sole, "midfoot")
+    border = np.zeros_like(midfoot)
+    border[np.nonzero(midfoot.any(axis=1))[0][-4:]] = True
+
+    def pressed(border_mpa: float, else_mpa: float) -> Pressed:
+        return replace(from_flat.old, mpa=np.where(border, border_mpa, else_mpa) * midfoot)
+
+    for else_mpa, carries_more in ((0.015, False), (0.04, True)):
+        moved = replace(from_flat, old=pressed(0.1, 0.01), new=pressed(0.06, else_mpa))
+        old, new = moved.peaks_kpa("midfoot")
+        assert new < old
+        assert ("carries more in all" in moved.reason("midfoot")) == carries_more
+
+
 def test_where_a_foot_cannot_stand_as_it_may_nothing_is_told(
     sole: Sole, insole: Ground, from_flat: Change, monkeypatch: pytest.MonkeyPatch
 ) -> None:
