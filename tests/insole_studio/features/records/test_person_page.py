@@ -313,6 +313,9 @@ def test_versions_say_what_they_changed_and_are_signed(
     assert newest.signed_by == records.who.name
 
 
+@pytest.mark.parametrize(
+    ("heights_mm", "words"), [([6.0], "heel lift, 6 mm"), ([], "no corrections")]
+)
 def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     page: PersonPage,
     clinic: Application,
@@ -320,11 +323,14 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     visit: Visit,
     make_foot: Callable[[Side], Foot],
     qtbot: QtBot,
+    heights_mm: list[float],
+    words: str,
 ) -> None:
     opened = records.visits.open_case(visit.id)
     foot = opened.record.feet[0]
-    lifted = foot.with_design(foot.design.with_added(HeelLift(height_mm=6.0)))
-    records.prescriptions.save(visit.id, lifted, opened.bases[Side.LEFT])
+    lifts = tuple(HeelLift(height_mm=height_mm) for height_mm in heights_mm)
+    prescribed = replace(foot.design, corrections=lifts, thickness_mm=3.7)
+    records.prescriptions.save(visit.id, foot.with_design(prescribed), opened.bases[Side.LEFT])
     clinic.controller.run_action("new_visit_same", False)
     qtbot.waitUntil(lambda: clinic.case.kept is not None)
     assert clinic.services.keeper.visit_id != visit.id
@@ -335,44 +341,17 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     qtbot.waitUntil(lambda: notices().keys() == {"same-prescription", "earlier-scan"})
     notice = notices()["same-prescription"]
     assert "as last time: left:" in notice.text
-    assert "heel lift, 6 mm" in notice.text
+    assert words in notice.text
     source = ScanSource("mesh", "/nowhere/new.ply", "1" * 64)
     clinic.case.open_foot(make_foot(Side.LEFT), source)
     design = clinic.case.record.design
     assert design is not None
-    (lift,) = design.corrections
-    assert isinstance(lift, HeelLift)
-    assert lift.height_mm == 6.0
+    assert design.thickness_mm == 3.7
+    assert [c.height_mm for c in design.corrections if isinstance(c, HeelLift)] == heights_mm
     assert clinic.services.notices.notices == []
     qtbot.waitUntil(
         lambda: bool(records.prescriptions.versions(clinic.services.keeper.visit_id, Side.LEFT))
     )
-
-
-def test_a_prescription_without_corrections_is_the_same_on_a_new_visit(
-    page: PersonPage,
-    clinic: Application,
-    records: Records,
-    visit: Visit,
-    make_foot: Callable[[Side], Foot],
-    qtbot: QtBot,
-) -> None:
-    opened = records.visits.open_case(visit.id)
-    foot = opened.record.feet[0]
-    thicker = foot.with_design(replace(foot.design, corrections=(), thickness_mm=3.7))
-    records.prescriptions.save(visit.id, thicker, opened.bases[Side.LEFT])
-    clinic.controller.run_action("new_visit_same", False)
-
-    def told() -> list[str]:
-        shown = clinic.services.notices.notices
-        return [notice.text for notice in shown if notice.key == "same-prescription"]
-
-    qtbot.waitUntil(lambda: bool(told()))
-    assert "as last time: left: no corrections" in told()[0]
-    clinic.case.open_foot(make_foot(Side.LEFT), ScanSource("mesh", "/nowhere/new.ply", "1" * 64))
-    design = clinic.case.record.design
-    assert design is not None
-    assert design.thickness_mm == 3.7
 
 
 def test_nothing_is_scanned_on_the_page_of_a_person_without_a_visit(

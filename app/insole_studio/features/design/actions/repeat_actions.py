@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from insole_core.cases.case_record import FootRecord
-from insole_core.errors import InsoleError
+from insole_core.errors import DesignError, InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.prescription.template import Template
@@ -67,9 +67,10 @@ class RepeatActions(QObject):
             self._search(foot.side)
         elif self._offered != (foot.foot, template):  # once: it may be dismissed
             self._offered = foot.foot, template
-            self._notices.put(
-                NOTICE, _describe(template), (tr("Repeat the last design"), self.repeat)
-            )
+            if not self._is_prescribed(template, foot):
+                self._notices.put(
+                    NOTICE, _describe(template), (tr("Repeat the last design"), self.repeat)
+                )
 
     def repeat(self) -> None:
         """Apply the prescription of the last scan to this one."""
@@ -87,6 +88,15 @@ class RepeatActions(QObject):
         if may_replace(self._messages.questions, foot.design, design):
             self._case.apply(design, tr("Repeat the last design"))
             self._notices.drop(NOTICE)  # also of one that holds no corrections
+
+    def _is_prescribed(self, template: Template, foot: FootRecord) -> bool:
+        """Return whether a prescription that has no corrections is that of a foot already."""
+        if template.design.corrections:
+            return False
+        try:
+            return fitted(template, foot, self._case.stamped) == foot.design
+        except DesignError:  # landmarks in an impossible order, which are told where it is repeated
+            return False
 
     def _offer_mirror(self, foot: FootRecord) -> None:
         """Offer the mirrored prescription of the other foot, once per foot without one."""
@@ -148,7 +158,8 @@ class RepeatActions(QObject):
 
 def _describe(template: Template) -> str:
     of_corrections = dict.fromkeys(name_of(c) for c in template.design.corrections)
-    names = ", ".join(of_corrections) or translate_core_message(template.design.device)
+    device = translate_core_message(template.design.device)
+    names = ", ".join(of_corrections) or device or tr("no corrections")
     day = prescribed_at(template.design)[:10]
     if not day:
         return tr("Prescribed for this foot before: {names}.").format(names=names)
