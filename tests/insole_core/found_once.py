@@ -119,7 +119,6 @@ def share_bases(patch: pytest.MonkeyPatch) -> None:
     """Let insoles of one foot that differ in their pads only share the surface before these."""
     defaults = {**(build_insole.__kwdefaults__ or {}), "base_of": _based_once(contact_base)}
     patch.setattr(build_insole, "__kwdefaults__", defaults)
-    patch.setattr(foot_module, "_MOST_BYTES", KEPT_BYTES)
 
 
 def _sharing(kept: SharedResults, begin: Callable[..., None]) -> Callable[..., None]:
