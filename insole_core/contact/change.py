@@ -50,11 +50,13 @@ _PUBLISHED = (-67.0, 110.0)
 reliefs up to 57 % (Chen, Ju and Tang, Clin. Biomech. 18, 2003), and twice the pressure on a pad."""
 _NONE, _NOT_LOADED = Message(""), Message("Nothing pressed there before.")
 _MOVED = Message("The most pressed place is now one where nothing pressed before.")
-_CARRIES_MORE = Message("Its most pressed place is relieved, but it carries more in all.")
+_CARRIES_MORE = Message("The most pressed place is relieved, but the region carries more in all.")
 _MOST_MORE_PERCENT = 25.0
-"""Load that a region may gain while its peak falls."""
-_AS_GROUP = Message("Nothing is told of the heads together, so of none alone.")
-_BESIDE = Message("The place lies beside the sole of the foot.")
+"""Load that a region may gain while its peak falls: more is well beyond what the model may miss."""
+_AS_GROUP = Message("Nothing can be told of the heads together, so of none of them alone.")
+_BESIDE = Message(
+    "The place lies beside the sole of the foot, or the sole is too steep or not measured there."
+)
 _TOO_UNSURE = Message("What is not known of the foot changes it too much.")
 _APART = tuple(name for name in GROUPS if name != "metatarsal_heads")
 """Regions of which every place of a sole is in one at most."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -80,10 +81,7 @@ def is_there(path: Path) -> bool:
 
     Why a place cannot be looked at, as its name is too long, is told by writing to it.
     """
-    try:
-        return path.exists()
-    except OSError:
-        return False
+    return os.path.exists(path)  # noqa: PTH110 - the method raises what it cannot look at
 
 
 def _is_open_elsewhere(path: Path, error: OSError) -> bool:

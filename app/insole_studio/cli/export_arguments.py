@@ -30,12 +30,6 @@ if TYPE_CHECKING:
     from insole_core.solids.prescription_paper import Responsible
     from insole_core.solids.shop import Block, Shop
 
-_SAID_BY = {
-    "the prescriber": "--prescriber",
-    "the maker": "--maker",
-    "the maker's address": "--maker-address",
-}
-"""Options for what a prescription has to state."""
 _LAYERED = " or ".join(f"a {form.ending} file" for form in carriers("bodies"))
 
 
@@ -373,6 +367,7 @@ def pseudonym(arguments: argparse.Namespace) -> str:
 
 def _responsible(arguments: argparse.Namespace, insoles: tuple[Insole, ...]) -> Responsible:
     """Return who prescribes and makes: as in the call, else as in the designs and settings."""
+    from insole_core.messages import joined
     from insole_core.solids.prescription_paper import NOBODY, Responsible, prescriber_of
     from insole_studio.settings import load_settings
     from insole_studio.user_paths import UserPaths
@@ -388,9 +383,10 @@ def _responsible(arguments: argparse.Namespace, insoles: tuple[Insole, ...]) -> 
         maker_address=arguments.maker_address or settings.maker_address,
     )
     if responsible.missing:
-        missing = " and ".join(responsible.missing)
-        options = " and ".join(_SAID_BY[words] for words in responsible.missing)
-        raise UsageError(f"--prescription-paper has to state {missing}; give {options}.")
+        raise UsageError(
+            f"--prescription-paper has to state {joined(responsible.missing)}; give --prescriber, "
+            "--maker and --maker-address, or put them into the settings of the window."
+        )
     return responsible
 
 

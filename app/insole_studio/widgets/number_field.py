@@ -141,10 +141,9 @@ class NumberField(QDoubleSpinBox):
                     "known. It stays {before}."
                 )
             typed = self._bare(text)
-            has_unit = any(letter.isalpha() for letter in typed)
             self.refusal.say(
                 sentence.format(
-                    typed=typed if has_unit else typed + self.suffix(),
+                    typed=typed + self.suffix() if typed[-1:].isdigit() else typed,
                     least=least,
                     greatest=greatest + self.suffix(),
                     before=before + self.suffix(),

@@ -1608,10 +1608,6 @@
             <translation>Den delar USB-styrenhet {bus} med en annan sensor, så de två turas om; anslut den ena till en egen styrenhet för att avbilda med båda samtidigt.</translation>
         </message>
         <message>
-            <source>Its most pressed place is relieved, but it carries more in all.</source>
-            <translation>Dess mest tryckta ställe avlastas, men den bär mer totalt.</translation>
-        </message>
-        <message>
             <source>Its motor does not run, because its audio firmware is not loaded; tilt it by hand.</source>
             <translation>Dess motor går inte, eftersom ljuddelens fasta program inte är laddat; luta den för hand.</translation>
         </message>
@@ -2128,6 +2124,10 @@
             <translation>Anteckningar</translation>
         </message>
         <message>
+            <source>Nothing can be told of the heads together, so of none of them alone.</source>
+            <translation>Inget kan sägas om huvudena tillsammans, och därför inte om något av dem för sig.</translation>
+        </message>
+        <message>
             <source>Nothing can be written there, so neither settings nor work are kept: ask whoever looks after this computer for the right to write.</source>
             <translation>Ingenting kan skrivas där, så varken inställningar eller arbete sparas: be den som sköter datorn om rätt att skriva.</translation>
         </message>
@@ -2138,10 +2138,6 @@
         <message>
             <source>Nothing is known of the material “{material}”: the insole is made at least {least_mm:g} mm thick, {edge_mm:g} mm at the front edge; choose one of {names}.</source>
             <translation>Inget är känt om materialet ”{material}”: inlägget görs minst {least_mm:g} mm tjockt, {edge_mm:g} mm vid framkanten; välj ett av {names}.</translation>
-        </message>
-        <message>
-            <source>Nothing is told of the heads together, so of none alone.</source>
-            <translation>Inget sägs om huvudena tillsammans, och därför inte om något av dem för sig.</translation>
         </message>
         <message>
             <source>Nothing links {groups}: each was measured on its own, and their place to each other stays as planned.</source>
@@ -3712,6 +3708,10 @@
             <translation>Den mest tryckta platsen är nu en där inget tryckte förut.</translation>
         </message>
         <message>
+            <source>The most pressed place is relieved, but the region carries more in all.</source>
+            <translation>Det mest tryckta stället avlastas, men området bär mer totalt.</translation>
+        </message>
+        <message>
             <source>The name or the password is wrong; try again, or ask the administrator for another password.</source>
             <translation>Namnet eller lösenordet är fel; försök igen, eller be administratören om ett nytt lösenord.</translation>
         </message>
@@ -3836,8 +3836,8 @@
             <translation>Styckena bär serienumret {made}, och i beställningen är det {ordered}; skriv den på en annan plats, eller utan serienummer på styckena.</translation>
         </message>
         <message>
-            <source>The place lies beside the sole of the foot.</source>
-            <translation>Stället ligger bredvid fotsulan.</translation>
+            <source>The place lies beside the sole of the foot, or the sole is too steep or not measured there.</source>
+            <translation>Stället ligger bredvid fotsulan, eller så är sulan för brant eller inte uppmätt där.</translation>
         </message>
         <message>
             <source>The place of the depth camera is known within {known_mm:.1f} mm only; for {good_mm} mm take more positions with the board turned by 40 to 55° ({sides}).</source>

@@ -192,8 +192,8 @@ def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(so
     assert {"metatarsal_heads", *HEADS} <= set(told[1].cannot_tell)
     assert {"metatarsal_heads", *HEADS} <= set(told[1].change.untold)  # and as much at a drag
     reasons = [told[1].regions[head].reason for head in HEADS]
-    assert any("so of none alone" in reason for reason in reasons)
-    assert not all("so of none alone" in reason for reason in reasons)
+    assert any("so of none of them alone" in reason for reason in reasons)
+    assert not all("so of none of them alone" in reason for reason in reasons)
 
 
 def test_where_limits_leave_the_heads_untold_none_is_told_alone(sole: Sole) -> None:
@@ -206,7 +206,7 @@ def test_where_limits_leave_the_heads_untold_none_is_told_alone(sole: Sole) -> N
     )
     assert "metatarsal_heads" not in told.change.untold
     assert {"metatarsal_heads", *HEADS} <= set(told.cannot_tell)
-    assert "so of none alone" in told.regions["head_5"].reason
+    assert "so of none of them alone" in told.regions["head_5"].reason
 
 
 def test_a_place_has_the_reason_of_its_region_and_no_colour(sole: Sole) -> None:

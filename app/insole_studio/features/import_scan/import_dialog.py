@@ -171,10 +171,7 @@ class ImportDialog(QDialog):
         self._units = QVBoxLayout()
         self.candidates = _list(tr("How it lies"))
         self.candidates.currentRowChanged.connect(self.candidate_chosen)
-        self.clicks = plain_button(
-            tr("Click heel, toes and sole"),
-            lambda: self.clicks_wanted.emit(self.clicks.isChecked()),
-        )
+        self.clicks = plain_button(tr("Click heel, toes and sole"), self.clicks_wanted)
         self.clicks.setCheckable(True)
         self.take_back = plain_button(tr("Take the last click back"), self.click_taken_back.emit)
         self.size_fields = SizeFields()

@@ -347,7 +347,9 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     design = clinic.case.record.design
     assert design is not None
     assert design.thickness_mm == 3.7
-    assert [c.height_mm for c in design.corrections if isinstance(c, HeelLift)] == heights_mm
+    lifts = [lift for lift in design.corrections if isinstance(lift, HeelLift)]
+    assert [lift.height_mm for lift in lifts] == heights_mm
+    assert len(design.corrections) == len(lifts)
     assert clinic.services.notices.notices == []
     qtbot.waitUntil(
         lambda: bool(records.prescriptions.versions(clinic.services.keeper.visit_id, Side.LEFT))

@@ -9,6 +9,7 @@ from insole_core.contact.change import PressureChange
 from insole_core.contact.change_report import REGION_WORDS, signed
 from insole_core.contact.dose import Dose, DoseCurve
 from insole_core.contact.fit import Fitted
+from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_studio.document.case_names import variant_heading
 from insole_studio.document.load_view import LoadView, Target
@@ -47,8 +48,10 @@ class LoadActions:
         self._dialog: LoadDialog | None = None
         self._is_beside = False
         """Whether a variant stands beside because both are told."""
-        self._weight_kg = self._prescribed_kg = 0.0
-        """What was put in for this case, and what its design said then; 0 while unknown."""
+        self._weight_kg = 0.0
+        """What was put in for this case; 0 while nothing was."""
+        self._prescribed_kg: dict[Side, float] = {}
+        """What the design of each of its feet said then."""
         load.told.connect(self._show_told)
         self._case.changed.connect(self._show_variants)
         self._case.changed.connect(self._follow_weight)
@@ -58,7 +61,7 @@ class LoadActions:
         """Close the window before another case comes: its weight is that of this person."""
         if self._dialog is not None:
             self._dialog.reject()
-        self._weight_kg = 0.0
+        self._weight_kg, self._prescribed_kg = 0.0, {}
 
     def show(self) -> None:
         """Open the window, and colour both views once something is asked."""
@@ -68,8 +71,7 @@ class LoadActions:
         if self._dialog is None:
             is_read = self._services.settings.pressure_change_read
             self._dialog = dialog = LoadDialog(is_read=is_read, parent=self._services.window)
-            self._prescribed_kg = self._weight_of_design()
-            dialog.weight.show_value(self._prescribed_kg or self._weight_kg)
+            dialog.weight.show_value(self._newly_prescribed_kg() or self._weight_kg)
             dialog.papers.setChecked(self._load.is_on_papers)
             dialog.papers.toggled.connect(self._load.put_on_papers)
             dialog.asked.connect(self._ask)
@@ -81,18 +83,22 @@ class LoadActions:
             self._ask()
         self._dialog.raise_()
 
-    def _weight_of_design(self) -> float:
-        design = self._case.record.design
-        shell = None if design is None else design.shell
-        return 0.0 if shell is None else shell.body_weight_kg or 0.0
+    def _newly_prescribed_kg(self) -> float:
+        """Return the weight that the shown foot's design says since this was asked last, else 0."""
+        record, before = self._case.record, self._prescribed_kg
+        self._prescribed_kg = {
+            foot.side: foot.design.shell.body_weight_kg or 0.0
+            for foot in record.feet
+            if foot.design.shell is not None
+        }
+        side = None if record.current is None else record.current.side
+        if side is None or self._prescribed_kg.get(side) == before.get(side):
+            return 0.0
+        return self._prescribed_kg.get(side, 0.0)
 
     def _follow_weight(self) -> None:
         """Take over the weight that the design says from now on: it is of the same person."""
-        weight_kg = self._weight_of_design()
-        if self._dialog is None or weight_kg == self._prescribed_kg:
-            return
-        self._prescribed_kg = weight_kg
-        if weight_kg:
+        if self._dialog is not None and (weight_kg := self._newly_prescribed_kg()):
             self._dialog.weight.show_value(weight_kg)
             self._ask()
 

@@ -204,9 +204,9 @@ class LoadDialog(QDialog):
         self.table.show_headings([tr("Region"), *headings], ["", *pair] if pair else ())
 
     def shortened(self, names: Sequence[str]) -> list[str]:
-        """Return names so short that two of them have room beside each other."""
+        """Return names so short that two have room beside each other; they differ at the end."""
         words = self.fontMetrics()
-        return [words.elidedText(name, Qt.TextElideMode.ElideRight, _NAME_PX) for name in names]
+        return [words.elidedText(name, Qt.TextElideMode.ElideMiddle, _NAME_PX) for name in names]
 
     def _make_room(self) -> None:
         """Grow with what is told, as far as the screen has room; beyond that it is scrolled."""

@@ -93,8 +93,9 @@ def _words(foot: FootRecord, counterpart: SideBySide) -> tuple[str, str]:
 
 
 def _shortened(name: str) -> str:
-    """Return a name so short that it ends before that beside it begins."""
-    return name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1].rstrip()}…"
+    """Return a name so short that it ends before that beside it begins; names differ at the end."""
+    half = _LONGEST_NAME // 2
+    return name if len(name) <= _LONGEST_NAME else f"{name[: half - 1].rstrip()}…{name[-half:]}"
 
 
 def _over(mesh: TriangleMesh, y_mm: float) -> FloatArray:
