@@ -121,7 +121,7 @@ class Painter:
 
     def clear(self) -> None:
         """Show nothing at all."""
-        self._mesh = self._surface = None
+        self._mesh = self._surface = self._coloring = None
         self._shapes.clear()
         self._in_front.clear()
         self._texts.clear()

@@ -51,7 +51,7 @@ class SideBadge(QLabel):
         parts = [word, *([_mirrored_from(side.other)] if mirrored else [])]
         parts += [tr("scan of {day}").format(day=scanned_on)] if scanned_on else []
         self.setText(" · ".join(parts))
-        _dress(
+        _set_style(
             self,
             f"background: {COLORS[side]}; color: white; border-radius: 4px;"
             f" padding: 1px {_PADDING_PX}px; font-weight: 600;",
@@ -116,7 +116,7 @@ class SideSwitch(QWidget):
             button.setMenu(None if there else self._menu)  # type: ignore[arg-type]
             button.setToolTip(_tip(side, there))
             button.setAccessibleName(_tip(side, there))
-            _dress(button, _style(side, there, side is at_hand))
+            _set_style(button, _style(side, there, side is at_hand))
 
     def _button(self, side: Side) -> QToolButton:
         button = QToolButton()
@@ -161,7 +161,7 @@ def _style(side: Side, there: bool, at_hand: bool) -> str:
     return f"QToolButton {{ {look} {_SHAPE} }} QToolButton::menu-indicator {{ image: none; }}"
 
 
-def _dress(widget: QWidget, sheet: str) -> None:
+def _set_style(widget: QWidget, sheet: str) -> None:
     """Give a widget another style sheet; Qt would take as long over the same one."""
     if widget.styleSheet() != sheet:
         widget.setStyleSheet(sheet)

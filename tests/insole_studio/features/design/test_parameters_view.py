@@ -13,6 +13,7 @@ from shiboken6 import isValid
 
 from insole_studio.features.design.parameters.parameters_view import MOST_KEPT, ParametersView
 from insole_studio.features.design.rows import ChoiceSpec, FieldGroup, FieldSpec
+from insole_studio.widgets.form_parts import Fold
 from insole_studio.widgets.number_field import NumberField, SliderField
 
 HEIGHT = FieldSpec("pad.height", "height", "mm", 5.0, 0.0, 12.0, 0.5)
@@ -147,6 +148,21 @@ def test_what_is_half_typed_or_half_dragged_does_not_return(view: ParametersView
     view.show_groups([cup])
     (shown,) = (f for f in view.findChildren(SliderField) if f.isVisible())
     assert shown is not held
+
+
+def test_a_group_for_experts_returns_as_it_was_left_in_another_shape(view: ParametersView) -> None:
+    short = FieldGroup("Expert", (HEIGHT,), folds=True)
+    long = replace(short, fields=(HEIGHT, replace(HEIGHT, key="pad.width")))
+    view.show_groups([short])
+    before = field_of(view, HEIGHT.key)
+    for is_open in (True, False):
+        view.show_groups([long])
+        (fold,) = (fold for fold in view.findChildren(Fold) if fold.isVisible())
+        fold.click()
+        assert field_of(view, HEIGHT.key).isVisible() is is_open
+        view.show_groups([short])
+        assert field_of(view, HEIGHT.key) is before
+        assert before.isVisible() is is_open
 
 
 def test_only_the_groups_that_went_last_are_kept(view: ParametersView) -> None:

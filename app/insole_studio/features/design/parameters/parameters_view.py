@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TypeAlias
@@ -44,22 +44,26 @@ MOST_KEPT = 16
 
 @dataclass(frozen=True, eq=False)
 class _LaidOutGroup:
-    """The widget of a group, its fields by their keys, and the labels of title and note."""
+    """The widget of a group, its fields by their keys, and its labels or the fold that head it."""
 
     shape: FieldGroup
     widget: QWidget
     fields: dict[str, ValueField]
     heading: tuple[QLabel, ...] = ()
+    """Labels of title and note."""
+    fold: Fold | None = None
 
-    def show(self) -> None:
-        """Show the group, its fields with their keys."""
-        self._set_keys(dict(zip(self.fields, self.fields, strict=True)))
+    def show(self, open_titles: Collection[str]) -> None:
+        """Show the group, its fields with their keys, and open if its title is one of these."""
+        self._set_keys(shown=True)
+        if self.fold is not None:
+            self.fold.setChecked(self.fold.text() in open_titles)
         self.widget.show()
 
     def hide(self) -> None:
         """Hide the group; another one may show a field of the same key meanwhile."""
         self.widget.hide()
-        self._set_keys({})
+        self._set_keys(shown=False)
 
     @property
     def can_return(self) -> bool:
@@ -67,11 +71,12 @@ class _LaidOutGroup:
         sliders = [f.slider for f in self.fields.values() if isinstance(f, SliderField)]
         return bool(self.fields) and not any(slider.isSliderDown() for slider in sliders)
 
-    def _set_keys(self, keys: Mapping[str, str]) -> None:
+    def _set_keys(self, *, shown: bool) -> None:
+        """Let the fields be found by their keys, or not while they are hidden."""
         for key, field in self.fields.items():
-            field.setProperty("key", keys.get(key))
+            field.setProperty("key", key if shown else None)
             if isinstance(field, SliderField):
-                field.number.setProperty("key", keys.get(key))
+                field.number.setProperty("key", key if shown else None)
 
 
 class ParametersView(QScrollArea):
@@ -96,7 +101,7 @@ class ParametersView(QScrollArea):
         self._is_restyled = True
         self._restyled = QTimer(self)
         self._restyled.setSingleShot(True)
-        self._restyled.timeout.connect(lambda: self.show_groups(self._groups))
+        self._restyled.timeout.connect(self._show_again)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         content = QWidget()
@@ -117,6 +122,9 @@ class ParametersView(QScrollArea):
                 label.setVisible(bool(text))
             for spec in group.fields:
                 self._show_value(spec)
+
+    def _show_again(self) -> None:
+        self.show_groups(self._groups)
 
     def width_up_to(self, key: str) -> int:
         """Return the width in which the groups up to the one with a field stand in one line."""
@@ -157,7 +165,7 @@ class ParametersView(QScrollArea):
             pass
         for shown in self._laid_out:
             self._flow.addWidget(shown.widget)
-            shown.show()
+            shown.show(self._open)
         self._kept = [group for group in self._kept if group in unused]
         for gone in before:
             if gone in unused:
@@ -214,10 +222,12 @@ class ParametersView(QScrollArea):
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)
         heading: tuple[QLabel, ...] = ()
+        fold: Fold | None = None
         if group.folds:
             cells = QWidget(widget)
             cells.setLayout(grid)
-            column.addLayout(self._fold(group, cells))
+            fold = self._fold(group.title, cells)
+            column.addWidget(fold, alignment=Qt.AlignmentFlag.AlignLeft)
             column.addWidget(cells)
         else:
             heading = QLabel(), QLabel()
@@ -234,17 +244,13 @@ class ParametersView(QScrollArea):
         }
         grid.setColumnStretch(grid.columnCount(), 1)
         column.addStretch(1)
-        return _LaidOutGroup(shape, widget, fields, heading)
+        return _LaidOutGroup(shape, widget, fields, heading, fold)
 
-    def _fold(self, group: FieldGroup, content: QWidget) -> QHBoxLayout:
+    def _fold(self, title: str, content: QWidget) -> Fold:
         """Return the heading of a group for experts, which stays open once it was opened."""
-        fold = Fold(group.title, (content,))
-        fold.setChecked(group.title in self._open)
-        fold.toggled.connect(partial(self._note_fold, group.title))
-        row = QHBoxLayout()
-        row.addWidget(fold)
-        row.addStretch(1)
-        return row
+        fold = Fold(title, (content,))
+        fold.toggled.connect(partial(self._note_fold, title))
+        return fold
 
     def _note_fold(self, title: str, is_open: bool) -> None:
         if is_open:

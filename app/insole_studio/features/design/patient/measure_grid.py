@@ -20,7 +20,7 @@ _LIMITS, _DIFFERENCE, _BOTH = 3, 4, 5
 
 
 @dataclass(frozen=True)
-class _Form:
+class _RowLayout:
     """What of a row no text changes: the key of its link, and which of its values are quiet.
 
     A line that explains the others has none.
@@ -38,7 +38,7 @@ class MeasureGrid(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown: list[Measure] = []
-        self._rows: list[tuple[_Form, list[QLabel]]] = []
+        self._rows: list[tuple[_RowLayout, list[QLabel]]] = []
         """Form and labels of each row; those of other measures of the same forms are reused."""
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
@@ -60,7 +60,7 @@ class MeasureGrid(QWidget):
         for measure, (_, (name, *numbers)) in zip(measures, self._rows, strict=True):
             _write(measure, name, numbers)
 
-    def _lay_out(self, measures: Sequence[Measure], forms: Sequence[_Form]) -> None:
+    def _lay_out(self, measures: Sequence[Measure], forms: Sequence[_RowLayout]) -> None:
         remove_widgets(self._grid)
         first = 0
         if len(measures[0].values) == _BOTH:
@@ -82,7 +82,7 @@ class MeasureGrid(QWidget):
         for column, head in enumerate(heads, 1):
             self._grid.addWidget(head, 0, column, _RIGHT)
 
-    def _row(self, row: int, form: _Form) -> list[QLabel]:
+    def _row(self, row: int, form: _RowLayout) -> list[QLabel]:
         """Return the label of the name and those of the values."""
         name = self._name(form.key)
         name.setWordWrap(True)
@@ -110,13 +110,13 @@ class MeasureGrid(QWidget):
         return name
 
 
-def _form(measure: Measure) -> _Form:
+def _form(measure: Measure) -> _RowLayout:
     columns = range(1, len(measure.values) + 1)
     quiet = tuple(
         column in (_LIMITS, _BOTH) or (column == _DIFFERENCE and measure.is_within_error)
         for column in columns
     )
-    return _Form(measure.key, quiet)
+    return _RowLayout(measure.key, quiet)
 
 
 def _write(measure: Measure, name: QLabel, numbers: Sequence[QLabel]) -> None:
