@@ -23,6 +23,7 @@ from insole_studio.app.scripted import wait_for
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.settings import Settings
 from insole_studio.user_paths import UserPaths
+from tests import patience
 
 SIZE = 960, 640
 """Fewer pixels for the software renderer."""
@@ -133,8 +134,7 @@ class _Built:
         self._wait()
         app.window.arrange()
         QApplication.processEvents()
-        while app.autosave.is_writing:  # else it writes after it has forgotten
-            QApplication.processEvents()
+        patience.wait_for(self._has_written)  # else it writes after it has forgotten
         app.autosave.forget()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         app.window.statusBar().clearMessage()  # a hint of what is below the pointer comes and goes
@@ -160,6 +160,10 @@ class _Built:
         both = self.app.jobs, self.app.services.clinic.jobs
         while running := [jobs for jobs in both if jobs.is_running()]:
             wait_for(running[0])
+
+    def _has_written(self) -> bool:
+        QApplication.processEvents()
+        return not self.app.autosave.is_writing
 
     def _state(self) -> list[str]:
         app, window = self.app, self.app.window
