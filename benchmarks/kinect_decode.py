@@ -197,7 +197,7 @@ def measure_processes() -> list[list[str]]:
             with emulated_usbfs(folder, *kinects) as usbfs:
                 for wanted in (1, frames):
                     names = {"depth": modes[0].name, "video": modes[1].name}
-                    asked = {"serials": SERIALS, "frames": wanted, **names}
+                    asked = {"frames": wanted, "turns": [dict.fromkeys(SERIALS, names)]}
                     (folder / "request.json").write_text(json.dumps(asked), encoding="utf-8")
                     before = resource.getrusage(resource.RUSAGE_CHILDREN)
                     usbfs.run(*command, folder / "request.json", folder).check_returncode()

@@ -35,21 +35,29 @@ def start(camera: KinectCamera, modes: dict[str, str]) -> dict[str, Stream]:
 
 
 def stream(request: dict[str, Any], out: Path, bus: UsbBus) -> dict[str, Any]:
-    """Read frames of all sensors at the same time, each in its modes."""
-    cameras = [open_camera(serial, PATIENT, bus) for serial in request["modes"]]
-    running = {camera.serial: start(camera, request["modes"][camera.serial]) for camera in cameras}
-    found: dict[str, Any] = {}
-    for camera in cameras:
-        counts = {}
-        for kind, one in running[camera.serial].items():
-            frames = [one.read() for _ in range(request["frames"])]
-            np.save(out / f"{camera.serial}-{kind}.npy", [frame.image for frame in frames])
-            counts[kind] = one.counts.discarded
-        found[camera.serial] = {
+    """Read frames of all sensors at the same time, in each turn each in its modes."""
+    turns = request["turns"]
+    cameras = [open_camera(serial, PATIENT, bus) for serial in turns[0]]
+    found: dict[str, Any] = {
+        camera.serial: {
             "model": camera.model.value,
             "calibration": camera.calibration.as_dict(),
-            "discarded": counts,
+            "discarded": [],
         }
+        for camera in cameras
+    }
+    for turn, modes in enumerate(turns):
+        running = {camera.serial: start(camera, modes[camera.serial]) for camera in cameras}
+        for camera in cameras:
+            counts = {}
+            for kind, one in running[camera.serial].items():
+                frames = [one.read() for _ in range(request["frames"])]
+                images = [frame.image for frame in frames]
+                np.save(out / f"{camera.serial}-{turn}-{kind}.npy", images)
+                counts[kind] = one.counts.discarded
+            found[camera.serial]["discarded"].append(counts)
+            camera.stop_depth()
+            camera.stop_video()
     for camera in cameras:
         camera.close()
     return found

@@ -1,7 +1,8 @@
 """What Debian's unmodified libfreenect gets from the sensors on a bus; the standard library only.
 
-Usage: freenect_client.py REQUEST OUT. The request (JSON) names formats by serial number, and how
-many frames; these and tables of depths are written to the folder OUT, the rest to OUT/result.json.
+Usage: freenect_client.py REQUEST OUT. The request (JSON) names formats by serial number, turn by
+turn, and how many frames; these and tables of depths are written to the folder OUT, the rest to
+OUT/result.json.
 """
 
 from __future__ import annotations
@@ -76,34 +77,35 @@ def load() -> Any:
 
 
 class Device:
-    """One sensor, open and streaming."""
+    """One sensor, open."""
 
-    def __init__(self, library: Any, context: Any, serial: str, modes: dict[str, str]) -> None:
+    def __init__(self, library: Any, context: Any, serial: str) -> None:
         self.library = library
         self.serial = serial
-        self.kinds = list(modes)
-        self.frames: dict[str, list[bytes]] = {kind: [] for kind in modes}
-        self.callbacks = []
+        self.frames: dict[str, list[bytes]] = {}
+        self.callbacks: dict[str, Any] = {}
         self.handle = ctypes.c_void_p()
         code = library.freenect_open_device_by_camera_serial(
             context, ctypes.byref(self.handle), serial.encode()
         )
         if code != 0:
             raise SystemExit(f"{serial} cannot be opened: {code}")
-        if "depth" in modes:
-            mode = library.freenect_find_depth_mode(1, DEPTH_FORMATS[modes["depth"]])
-            self.start("depth", mode)
-        if "video" in modes:
-            mode = library.freenect_find_video_mode(*VIDEO_FORMATS[modes["video"]])
-            self.start("video", mode)
 
-    def start(self, kind: str, mode: Mode) -> None:
+    def start(self, modes: dict[str, str]) -> None:
+        self.frames = {kind: [] for kind in modes}
+        if "depth" in modes:
+            mode = self.library.freenect_find_depth_mode(1, DEPTH_FORMATS[modes["depth"]])
+            self.start_one("depth", mode)
+        if "video" in modes:
+            mode = self.library.freenect_find_video_mode(*VIDEO_FORMATS[modes["video"]])
+            self.start_one("video", mode)
+
+    def start_one(self, kind: str, mode: Mode) -> None:
         def keep(_device: Any, data: int, _time: int) -> None:
             self.frames[kind].append(ctypes.string_at(data, mode.bytes))
 
-        callback = Callback(keep)
-        self.callbacks.append(callback)
-        getattr(self.library, f"freenect_set_{kind}_callback")(self.handle, callback)
+        self.callbacks[kind] = Callback(keep)
+        getattr(self.library, f"freenect_set_{kind}_callback")(self.handle, self.callbacks[kind])
         for verb in ("set", "start"):
             name = f"freenect_set_{kind}_mode" if verb == "set" else f"freenect_start_{kind}"
             arguments = (self.handle, mode) if verb == "set" else (self.handle,)
@@ -111,12 +113,11 @@ class Device:
                 raise SystemExit(f"{name} failed on {self.serial}")
 
     def is_short_of(self, wanted: int) -> bool:
-        return any(len(self.frames[kind]) < wanted for kind in self.kinds)
+        return any(len(frames) < wanted for frames in self.frames.values())
 
-    def close(self) -> None:
-        for kind in self.kinds:
+    def stop(self) -> None:
+        for kind in self.frames:
             getattr(self.library, f"freenect_stop_{kind}")(self.handle)
-        self.library.freenect_close_device(self.handle)
 
     def save_table(self, folder: Path) -> dict[str, Any]:
         found = self.library.freenect_copy_registration(self.handle)
@@ -130,26 +131,40 @@ class Device:
         }
 
 
+def stream(library: Any, context: Any, devices: list[Device], wanted: int, limit_s: float) -> None:
+    """Let each device stream until it has sent what is wanted, or time is up; then stop it."""
+    deadline = time.monotonic() + limit_s
+    streaming = set(devices)
+    while streaming and time.monotonic() <= deadline:
+        for device in [one for one in streaming if not one.is_short_of(wanted)]:
+            device.stop()
+            streaming.remove(device)
+        library.freenect_process_events_timeout(context, ctypes.byref(TimeValue(0, 20_000)))
+    for device in streaming:
+        device.stop()
+
+
 def run(request: dict[str, Any], folder: Path) -> None:
     library = load()
     context = ctypes.c_void_p()
     if library.freenect_init(ctypes.byref(context), None) != 0:
         raise SystemExit("freenect_init failed")
     library.freenect_select_subdevices(context, CAMERA_ONLY)
-    devices = [Device(library, context, *one) for one in request["modes"].items()]
+    turns = request["turns"]
+    devices = [Device(library, context, serial) for serial in turns[0]]
     wanted = request.get("frames", 0)
-    deadline = time.monotonic() + request.get("limit_s", LIMIT_S)
-    while any(device.is_short_of(wanted) for device in devices):
-        if time.monotonic() > deadline:
-            break
-        library.freenect_process_events_timeout(context, ctypes.byref(TimeValue(0, 20_000)))
+    for turn, modes_of in enumerate(turns):
+        for device in devices:
+            device.start(modes_of[device.serial])
+        stream(library, context, devices, wanted, request.get("limit_s", LIMIT_S))
+        for device in devices:
+            for kind, frames in device.frames.items():
+                for number, frame in enumerate(frames):
+                    (folder / f"{device.serial}-{turn}-{kind}-{number}").write_bytes(frame)
     result = {}
     for device in devices:
         result[device.serial] = device.save_table(folder)
-        for kind, frames in device.frames.items():
-            for number, frame in enumerate(frames):
-                (folder / f"{device.serial}-{kind}-{number}").write_bytes(frame)
-        device.close()
+        library.freenect_close_device(device.handle)
     (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
 
 

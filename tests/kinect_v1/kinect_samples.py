@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import fields
 from typing import Any
 
@@ -20,6 +21,17 @@ SERIALS = ("A00362A00127049A", "A00364817648045A", "B00366600698045B")
 FRAMES = 3
 SPEED = 10.0
 """Of the emulated sensors' time: tests need not wait."""
+
+MOST = {"depth": "depth-11", "video": "bayer-1280x1024"}
+"""The modes that send the most."""
+
+
+def in_turn(modes: Sequence[dict[str, str]]) -> list[dict[str, dict[str, str]]]:
+    """Modes of each sensor, turn by turn: different ones at once, and all on each in the end."""
+    return [
+        {serial: modes[(turn + i) % len(modes)] for i, serial in enumerate(SERIALS)}
+        for turn in range(len(modes))
+    ]
 
 
 def make_image(mode: StreamMode, seed: int) -> NDArray[Any]:

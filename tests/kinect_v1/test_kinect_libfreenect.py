@@ -21,7 +21,7 @@ from emulated_usbfs import (
     emulated_usbfs,
     require_libfreenect,
 )
-from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
+from kinect_samples import FRAMES, MOST, SERIALS, Footage, Images, in_turn, make_calibration
 
 from insole_studio.acquisition.driver_values import factory_sensor
 from kinect_v1.calibration import RGB_DISTANCE_CM
@@ -60,49 +60,44 @@ def ask_libfreenect(
     return result
 
 
-def received(folder: Path, serial: str, kind: str, mode: str) -> list[np.ndarray]:
+def received(folder: Path, serial: str, turn: int, kind: str, mode: str) -> list[np.ndarray]:
     """The first frames that libfreenect passed on."""
     shape = (MODES[mode].height, MODES[mode].width)
     dtype = np.uint8 if mode.startswith("bayer") else np.uint16
-    files = sorted(folder.glob(f"{serial}-{kind}-[0-9]*"), key=lambda f: int(f.name.split("-")[-1]))
+    found = folder.glob(f"{serial}-{turn}-{kind}-[0-9]*")
+    files = sorted(found, key=lambda f: int(f.name.split("-")[-1]))
     return [np.fromfile(file, dtype).reshape(shape) for file in files][:WANTED]
 
 
-MOST = {"depth": "depth-11", "video": "bayer-1280x1024"}
-
-
-@pytest.mark.parametrize(
-    "arranged",
-    [
-        [MOST, MOST, MOST],
-        [
-            {"depth": "depth-10", "video": "bayer-640x480"},
-            {"video": "ir-640x488"},
-            {"video": "ir-1280x1024"},
-        ],
-    ],
-    ids=["most", "different"],
+OTHERS = (
+    {"depth": "depth-10", "video": "bayer-640x480"},
+    {"video": "ir-640x488"},
+    {"video": "ir-1280x1024"},
 )
+
+
 def test_it_gets_every_frame_and_the_calibration(
-    arranged: list[dict[str, str]], tmp_path: Path, footage: Footage, images: Images
+    tmp_path: Path, footage: Footage, images: Images
 ) -> None:
+    """Of all with the most data, then in different modes, until each has had all."""
     kinects = [
         describe_kinect(tmp_path, model, serial, footage, seed=i, controller=i + 1)
         for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True))
     ]
-    modes_of = dict(zip(SERIALS, arranged, strict=True))
-    result = ask_libfreenect(tmp_path, kinects, {"frames": WANTED, "modes": modes_of})
-    for i, (serial, modes) in enumerate(modes_of.items()):
-        for kind, mode in modes.items():
-            sent = images[serial][mode]
-            got = received(tmp_path, serial, kind, mode)
-            numbers = [
-                next((n for n, image in enumerate(sent) if np.array_equal(image, frame)), -1)
-                for frame in got
-            ]
-            assert len(numbers) == WANTED
-            assert -1 not in numbers
-            assert all((b - a) % FRAMES == 1 for a, b in pairwise(numbers))
+    turns = [dict.fromkeys(SERIALS, MOST), *in_turn(OTHERS)]
+    result = ask_libfreenect(tmp_path, kinects, {"frames": WANTED, "turns": turns})
+    for i, serial in enumerate(SERIALS):
+        for turn, modes_of in enumerate(turns):
+            for kind, mode in modes_of[serial].items():
+                sent = images[serial][mode]
+                got = received(tmp_path, serial, turn, kind, mode)
+                numbers = [
+                    next((n for n, image in enumerate(sent) if np.array_equal(image, frame)), -1)
+                    for frame in got
+                ]
+                assert len(numbers) == WANTED
+                assert -1 not in numbers
+                assert all((b - a) % FRAMES == 1 for a, b in pairwise(numbers))
         expected = make_calibration(i)
         plane = expected.zero_plane
         found = result[serial]
@@ -122,7 +117,7 @@ def test_our_depth_is_its_depth_for_random_calibrations(tmp_path: Path) -> None:
         describe_kinect(tmp_path, Model.XBOX_1414, serial, {}, seed=50 + i, controller=i + 1)
         for i, serial in enumerate(serials)
     ]
-    ask_libfreenect(tmp_path, kinects, {"modes": {serial: {} for serial in serials}})
+    ask_libfreenect(tmp_path, kinects, {"turns": [{serial: {} for serial in serials}]})
     for i, serial in enumerate(serials):
         theirs = np.fromfile(tmp_path / f"{serial}-raw_to_mm", "u2").astype(float)
         ours = factory_sensor(make_calibration(50 + i), serial, ()).depth_mm(np.arange(2048.0))
@@ -147,8 +142,9 @@ def test_colours_are_where_it_expects_them(swapped: bool, tmp_path: Path) -> Non
     serial = SERIALS[0]
     footage = {serial: make_footage(mosaics=[bayer])}
     kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, footage)
-    ask_libfreenect(tmp_path, [kinect], {"modes": {serial: {"video": "rgb-640x480"}}, "frames": 1})
-    theirs = np.fromfile(tmp_path / f"{serial}-video-0", np.uint8).reshape(480, 640, 3)
+    turns = [{serial: {"video": "rgb-640x480"}}]
+    ask_libfreenect(tmp_path, [kinect], {"turns": turns, "frames": 1})
+    theirs = np.fromfile(tmp_path / f"{serial}-0-video-0", np.uint8).reshape(480, 640, 3)
     inner = (slice(4, -4), slice(4, -4))
     error = np.abs(theirs[inner].astype(int) - card[inner]).mean()
     assert (error > 20) == swapped
@@ -174,7 +170,7 @@ def test_it_notices_planted_errors(
     frames = footage[serial]["depth-11"]
     sent = {"depth-11": reverse_bits(frames) if flaw == "bit order" else frames}
     kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, {serial: sent}, seed=3, flaw=flaw)
-    request = {"modes": {serial: {"depth": "depth-11"}}, "frames": 1, "limit_s": 1.5}
+    request = {"turns": [{serial: {"depth": "depth-11"}}], "frames": 1, "limit_s": 1.5}
     done = run_client(tmp_path, [kinect], request)
     assert noticed(done, tmp_path, serial, images) == (flaw not in ("none", "odd"))
 
@@ -187,7 +183,7 @@ def noticed(
         return True
     plane = json.loads((folder / "result.json").read_text(encoding="utf-8"))[serial]["zero_plane"]
     expected = make_calibration(3).zero_plane
-    got = received(folder, serial, "depth", "depth-11")
+    got = received(folder, serial, 0, "depth", "depth-11")
     right_plane = plane[0] == expected.emitter_distance_cm
     sent = images[serial]["depth-11"]
     right_frames = bool(got) and all(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from emulated_usbfs import HERE, EmulatedUsbfs, describe_kinect, emulated_usbfs, require_usbfs
-from kinect_samples import FRAMES, SERIALS, Footage, Images, make_calibration
+from kinect_samples import FRAMES, MOST, SERIALS, Footage, Images, in_turn, make_calibration
 
 from kinect_v1.calibration import RGB_DISTANCE_CM
 from kinect_v1.models import Model
@@ -54,35 +54,29 @@ def find(image: np.ndarray, sent: list[np.ndarray]) -> int:
     return next((i for i, other in enumerate(sent) if np.array_equal(image, other)), -1)
 
 
-MOST = {"depth": "depth-11", "video": "bayer-1280x1024"}
-
-
-@pytest.mark.parametrize(
-    "arranged",
-    [
-        [MOST, MOST, MOST],
-        [
-            {"depth": "depth-10", "video": "bayer-640x480"},
-            {"depth": "depth-11", "video": "ir-640x488"},
-            {"video": "ir-1280x1024"},
-        ],
-    ],
-    ids=["most", "different"],
+OTHERS = (
+    {"depth": "depth-10", "video": "bayer-640x480"},
+    {"depth": "depth-11", "video": "ir-640x488"},
+    {"video": "ir-1280x1024"},
 )
+
+
 def test_every_frame_of_three_sensors_is_what_was_sent(
-    arranged: list[dict[str, str]], three: list[dict[str, Any]], tmp_path: Path, images: Images
+    three: list[dict[str, Any]], tmp_path: Path, images: Images
 ) -> None:
-    modes_of = dict(zip(SERIALS, arranged, strict=True))
+    """All with the most data, then in different modes, until each has had all."""
+    turns = [dict.fromkeys(SERIALS, MOST), *in_turn(OTHERS)]
     with emulated_usbfs(tmp_path, *three) as usbfs:
-        found = run_driver(usbfs, "stream", {"frames": WANTED, "modes": modes_of}, tmp_path)
-    for serial, modes in modes_of.items():
-        assert found[serial]["discarded"] == dict.fromkeys(modes, 0)
-        for kind, mode in modes.items():
-            delivered = np.load(tmp_path / f"{serial}-{kind}.npy")
-            numbers = [find(image, images[serial][mode]) for image in delivered]
-            first = numbers[0]  # a busy computer may be late for those before, as with a sensor
-            assert first >= 0
-            assert numbers == [(first + i) % FRAMES for i in range(WANTED)]
+        found = run_driver(usbfs, "stream", {"frames": WANTED, "turns": turns}, tmp_path)
+    for turn, modes_of in enumerate(turns):
+        for serial, modes in modes_of.items():
+            assert found[serial]["discarded"][turn] == dict.fromkeys(modes, 0)
+            for kind, mode in modes.items():
+                delivered = np.load(tmp_path / f"{serial}-{turn}-{kind}.npy")
+                numbers = [find(image, images[serial][mode]) for image in delivered]
+                first = numbers[0]  # a busy computer may be late for those before, as with a sensor
+                assert first >= 0
+                assert numbers == [(first + i) % FRAMES for i in range(WANTED)]
 
 
 def test_a_device_that_is_unlike_ours_in_all_that_is_open(
@@ -93,15 +87,14 @@ def test_a_device_that_is_unlike_ours_in_all_that_is_open(
         describe_kinect(tmp_path, model, serial, footage, seed=i, controller=i + 1, flaw="odd")
         for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True))
     ]
-    modes = {"depth": "depth-11", "video": "bayer-640x480"}
-    request = {"frames": 2, "modes": dict.fromkeys(SERIALS, modes)}
+    request = {"frames": 2, "turns": [dict.fromkeys(SERIALS, MOST)]}
     with emulated_usbfs(tmp_path, *odd) as usbfs:
         found = run_driver(usbfs, "stream", request, tmp_path)
     for i, serial in enumerate(SERIALS):
         assert found[serial]["calibration"]["constant_shift"] == make_calibration(i).constant_shift
-        assert found[serial]["discarded"] == {"depth": 0, "video": 0}
-        for kind, mode in modes.items():
-            delivered = np.load(tmp_path / f"{serial}-{kind}.npy")
+        assert found[serial]["discarded"] == [{"depth": 0, "video": 0}]
+        for kind, mode in MOST.items():
+            delivered = np.load(tmp_path / f"{serial}-0-{kind}.npy")
             first, second = (find(image, images[serial][mode]) for image in delivered)
             assert first >= 0
             assert second == (first + 1) % FRAMES
@@ -109,7 +102,7 @@ def test_a_device_that_is_unlike_ours_in_all_that_is_open(
 
 def test_models_and_calibration_of_each_sensor(three: list[dict[str, Any]], tmp_path: Path) -> None:
     with emulated_usbfs(tmp_path, *three) as usbfs:
-        request = {"frames": 0, "modes": {serial: {} for serial in SERIALS}}
+        request = {"frames": 0, "turns": [{serial: {} for serial in SERIALS}]}
         found = run_driver(usbfs, "stream", request, tmp_path)
     for i, (model, serial) in enumerate(zip(Model, SERIALS, strict=True)):
         expected = make_calibration(i).as_dict()
@@ -144,12 +137,12 @@ def test_damage_on_the_way_and_in_the_commands(
     faults.append({"kind": "full reply", "at": 5, "count": 3})
     kinect = describe_kinect(tmp_path, Model.WINDOWS, serial, footage, faults=faults)
     with emulated_usbfs(tmp_path, kinect) as usbfs:
-        request = {"frames": 10, "modes": {serial: {"depth": "depth-11"}}}
+        request = {"frames": 10, "turns": [{serial: {"depth": "depth-11"}}]}
         found = run_driver(usbfs, "stream", request, tmp_path)
     sent = images[serial]["depth-11"]
-    numbers = [find(image, sent) for image in np.load(tmp_path / f"{serial}-depth.npy")]
+    numbers = [find(image, sent) for image in np.load(tmp_path / f"{serial}-0-depth.npy")]
     assert numbers == [number % FRAMES for number in (0, 2, 4, 6, 8, 10, 12, 14, 16, 17)]
-    assert found[serial]["discarded"]["depth"] == 8
+    assert found[serial]["discarded"] == [{"depth": 8}]
 
 
 @pytest.mark.parametrize("kind", ["stall", "no reply"])
@@ -213,7 +206,7 @@ def test_a_second_program_is_told_and_a_killed_one_leaves_nothing_behind(
     """Three processes on one sensor: one streams, one is refused, one follows the killed first."""
     serial = SERIALS[0]
     kinect = describe_kinect(tmp_path, Model.XBOX_1414, serial, footage)
-    request = {"serials": [serial], "frames": 2, "modes": {serial: {"depth": "depth-11"}}}
+    request = {"serials": [serial], "frames": 2, "turns": [{serial: {"depth": "depth-11"}}]}
     (tmp_path / "request.json").write_text(json.dumps(request), encoding="utf-8")
     with emulated_usbfs(tmp_path, kinect) as usbfs:
         arguments = (CLIENT, "hold", tmp_path / "request.json", tmp_path)
@@ -231,8 +224,8 @@ def test_a_second_program_is_told_and_a_killed_one_leaves_nothing_behind(
     assert listed.stdout.startswith(serial)
     assert "used by another program" in listed.stdout
     sent = images[serial]["depth-11"]
-    assert [find(image, sent) for image in np.load(tmp_path / f"{serial}-depth.npy")] == [0, 1]
-    assert found[serial]["discarded"] == {"depth": 0}
+    assert [find(image, sent) for image in np.load(tmp_path / f"{serial}-0-depth.npy")] == [0, 1]
+    assert found[serial]["discarded"] == [{"depth": 0}]
 
 
 def test_every_model_tilts_and_tells_how_it_stands(
