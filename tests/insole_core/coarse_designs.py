@@ -10,6 +10,7 @@ from insole_core.insole.prescription.design import InsoleDesign
 
 COARSE_MM = 2.0
 """The coarsest of which no check warns."""
+_DEFAULTS_OF_THE_PRODUCT = InsoleDesign.__init__.__defaults__
 
 
 def begin_coarse(patch: pytest.MonkeyPatch) -> None:
@@ -18,3 +19,8 @@ def begin_coarse(patch: pytest.MonkeyPatch) -> None:
     defaults = {p.name: p.default for p in given if p.default is not Parameter.empty}
     defaults["grid_mm"] = COARSE_MM
     patch.setattr(begun, "__defaults__", tuple(defaults.values()))
+
+
+def begin_fine(patch: pytest.MonkeyPatch) -> None:
+    """Let designs begin with the grid of the product again."""
+    patch.setattr(InsoleDesign.__init__, "__defaults__", _DEFAULTS_OF_THE_PRODUCT)

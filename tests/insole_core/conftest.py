@@ -20,7 +20,7 @@ from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
 
 
-@pytest.fixture(scope="session", autouse=True)
+@pytest.fixture(scope="module", autouse=True)
 def same_bases() -> Iterator[None]:
     """Let insoles of one foot share their surface before pads, as they do in the window."""
     with pytest.MonkeyPatch.context() as patch:

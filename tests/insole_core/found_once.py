@@ -19,7 +19,6 @@ import numpy as np
 import pytest
 
 from insole_core.calibration.boards import board
-from insole_core.foot import foot as foot_module
 from insole_core.foot.foot import Foot
 from insole_core.insole import build
 from insole_core.insole.build import Insole, build_insole
@@ -46,8 +45,6 @@ from insole_core.workflows import (
 KEPT, KEPT_FEET, KEPT_VIEWS, KEPT_SMALL = 4, 3, 6, 256
 """Results of each kind; feet, with what is derived from each of them, which is some 50 MB; views of
 sessions, some 8 MB each; and corners of boards, of which a sensor's pictures show many."""
-KEPT_BYTES = 24_000_000
-"""Of a kind that is derived from a foot: a quarter of what the window keeps."""
 OF_FEET = frozenset({"derived", "place_foot", "find_foot", "find_imprints"})
 OF_VIEWS = frozenset({"measure_view"})
 SMALL = frozenset({"_chequerboard_corners"})
@@ -100,7 +97,6 @@ def share_results(
         Other modules that call `build_insole`.
     """
     patch.setattr(Foot, "__init__", _sharing(kept, Foot.__init__))
-    patch.setattr(foot_module, "_MOST_BYTES", KEPT_BYTES)
     for owner, name in (*SHARED, *more):
         patch.setattr(owner, name, _made_once(kept, name, getattr(owner, name)))
     patch.setattr(make_foot, "measure_view", _measured_once(kept, make_foot.measure_view))

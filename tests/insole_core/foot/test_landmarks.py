@@ -24,7 +24,7 @@ from insole_core.simulate.foot_model import FootModel, build_foot
 from insole_core.simulate.foot_shape import vary_shape
 
 
-@pytest.fixture(scope="module", params=range(2))
+@pytest.fixture(scope="module", params=range(3))
 def model(request) -> FootModel:
     rng = np.random.default_rng(request.param)
     return build_foot(vary_shape(rng, [Side.RIGHT, Side.LEFT][request.param % 2]), rng)

@@ -1,4 +1,4 @@
-"""Six designs by chance: no other program finds a fault in their solids (benchmark: 200)."""
+"""Ten designs by chance: no other program finds a fault in their solids (benchmark: 200)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def solids() -> list[TriangleMesh]:
-    return [make_solid(*each) for each in random_solids(6)]
+    return [make_solid(*each) for each in random_solids(10)]
 
 
 def test_trimesh_and_manifold3d_find_no_fault(solids, tmp_path: Path):
@@ -45,7 +45,7 @@ def test_admesh_finds_no_fault(solids, tmp_path: Path):
 
 def test_prusa_slicer_calls_them_manifold(solids, tmp_path: Path):
     stl, three_mf = tmp_path / "solid.stl", tmp_path / "solid.3mf"
-    for solid in solids[:3]:  # one of each kind
+    for solid in solids[::4]:  # one of each kind
         write_stl(solid, stl)
         write_3mf([SolidPart(solid, "Ünïcode <&> 足")], three_mf)
         info, packed = by_prusa_info(stl), by_prusa_info(three_mf)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from coarse_designs import begin_coarse
+from coarse_designs import begin_coarse, begin_fine
 from found_once import SharedResults, share_results
 
 
@@ -23,3 +23,10 @@ def same_results(kept: SharedResults) -> Iterator[None]:
         share_results(kept, patch)
         begin_coarse(patch)
         yield
+
+
+@pytest.fixture(autouse=True)
+def product_grid(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let designs of a test that is marked as fine begin with the product's grid."""
+    if request.node.get_closest_marker("fine") is not None:
+        begin_fine(monkeypatch)

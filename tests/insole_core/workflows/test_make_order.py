@@ -253,12 +253,18 @@ def test_the_stock_has_a_block_for_an_ordinary_pair(record: CaseRecord, kind: st
 
 
 @pytest.mark.slow
+@pytest.mark.fine
 def test_places_of_a_nested_pair_are_those_of_the_file(record: CaseRecord, tmp_path: Path) -> None:
+    feet = tuple(
+        FootRecord.begun(each.foot, NOWHERE, InsoleDesign(each.foot.side, each.design.corrections))
+        for each in record.feet
+    )
+    assert [each.design.grid_mm for each in feet] == [1.0, 1.0]
     choice = OrderChoice(
         both=True, block=block_of("EVA pair"), checks=True, pseudonym="26-7KQ4M",
         most_triangles=None,
     )  # fmt: skip
-    parts = make_parts(record, choice, RULES)
+    parts = make_parts(replace(record, feet=feet), choice, RULES)
     write_order(parts, choice, tmp_path / "o.stl", shop=SHOP, patient=PATIENT)
     vertices = read_mesh(tmp_path / "o-pair.stl").mesh.vertices
     checks = json.loads((tmp_path / "o-pair-checks.json").read_text())

@@ -60,9 +60,10 @@ def test_sensors_as_json(small_session: Path, capsys: pytest.CaptureFixture[str]
 
 @pytest.mark.slow
 @pytest.mark.shared
-def test_a_session_comes_through_bit_for_bit(shared_data: Path, tmp_path: Path) -> None:
-    """Of two bursts: each sensor delivers another view after it was moved."""
-    original = shared_data / "sessions" / "right_d"
+@pytest.mark.parametrize("name", ["left_a", "right_d"])
+def test_a_session_comes_through_bit_for_bit(name: str, shared_data: Path, tmp_path: Path) -> None:
+    """Of one burst, and of two: each sensor delivers another view after it was moved."""
+    original = shared_data / "sessions" / name
     out = tmp_path / "captured"
     assert run(["capture", "--emulate", str(original), "--out", str(out)]) == 0
     sent, came = read_session(original), read_session(out)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 from functools import cache
 
 import pytest
-from coarse_designs import begin_coarse
+from coarse_designs import begin_coarse, begin_fine
 
 from insole_core import simulate
 from insole_studio.cli import main
@@ -21,6 +21,13 @@ def coarse_designs() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         begin_coarse(patch)
         yield
+
+
+@pytest.fixture(autouse=True)
+def product_grid(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let designs of a test that is marked as fine begin with the product's grid."""
+    if request.node.get_closest_marker("fine") is not None:
+        begin_fine(monkeypatch)
 
 
 PARSER_OF = cache(main.command_parser)
