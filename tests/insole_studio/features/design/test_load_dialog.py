@@ -18,8 +18,10 @@ def test_long_names_of_variants_are_elided_over_their_figures_and_whole_in_the_t
     dialog.show()
     model, across = dialog.table.model(), Qt.Orientation.Horizontal
     long, short = (model.headerData(column, across) for column in (1, 2))
-    assert long.startswith("Variant")
+    assert long.startswith("Var")
+    assert long.endswith("head (95 %)")  # names differ at their end
     assert "…" in long
+    assert long.endswith("head (95 %)")  # where names differ
     assert short == "Variant A (95 %)"
     tips = [model.headerData(column, across, Qt.ItemDataRole.ToolTipRole) for column in (1, 2)]
     assert tips == names
