@@ -24,8 +24,6 @@ os.environ.setdefault("LP_NUM_THREADS", "1")
 
 GROWN_MB = 150.0
 KEPT_MB = pytest.StashKey[float]()
-FROZEN = pytest.StashKey[int]()
-"""Objects that were there before the tests."""
 
 gc.disable()  # nothing that is imported for the tests is garbage
 
@@ -36,11 +34,10 @@ def pytest_xdist_auto_num_workers() -> int:
     return (os.cpu_count() or 1) + 1
 
 
-def pytest_collection_finish(session: pytest.Session) -> None:
+def pytest_collection_finish() -> None:
     """Collect what the tests leave, and look through nothing that was there before them."""
     gc.freeze()
     gc.enable()
-    session.config.stash[FROZEN] = gc.get_freeze_count()
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -75,11 +72,10 @@ def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> 
         free()
         if resident_mb() <= most_mb:
             return
-    if gc.get_freeze_count() > stash[FROZEN]:  # the window's tests freeze what was before each
-        gc.unfreeze()
-        gc.collect()
-        gc.freeze()
-        return_freed_memory()
+    gc.unfreeze()
+    gc.collect()
+    gc.freeze()
+    return_freed_memory()
     stash[KEPT_MB] = resident_mb()
 
 
