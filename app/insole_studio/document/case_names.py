@@ -12,8 +12,8 @@ from insole_core.visible_text import visible_line
 from insole_studio.document.case import Case
 from insole_studio.texts import tr
 
-_LETTERS = 2
-"""A name of so many signs is one that was given by itself, such as "B" or "12"."""
+_AUTOMATIC = 2
+"""Characters of the longest name that is given by itself, such as "B" or "12"."""
 
 
 def case_name(case: Case) -> str:
@@ -70,7 +70,7 @@ def variant_title(name: str) -> str:
 
 def variant_heading(name: str) -> str:
     """Return what stands over a variant: its name, if that alone says that it is one."""
-    return name if len(name) > _LETTERS else variant_title(name)
+    return name if len(name) > _AUTOMATIC else variant_title(name)
 
 
 def choose_variant(case: Case, name: str) -> None:

@@ -56,6 +56,7 @@ def pack(pixels: RawArray, bits: int) -> ByteArray:
     """
     groups = pixels.astype(np.uint64).reshape(-1, 8) & np.uint64((1 << bits) - 1)
     packed = np.empty(len(groups) * bits, np.uint8)
+    # Eight pixels fill `bits` bytes: two words of eight, from the first and up to the last of them.
     for first_bit in (0, 8 * bits - 64):
         word = np.zeros(len(groups), np.uint64)
         for i in range(8):

@@ -15,7 +15,7 @@ from insole_core.resources import resource_path
 from insole_core.workflows.file_kind import kind_of
 from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_core.workflows.scanned_feet import ScannedFoot
-from insole_core.workflows.starting_design import last_design, starting_device
+from insole_core.workflows.starting_design import StartingDevice, last_design, starting_device
 from insole_studio.document.case_lock import CaseInUseError
 from insole_studio.features.case_files.case_guard import CaseGuard, FileState
 from insole_studio.features.case_files.save_actions import SaveActions
@@ -201,11 +201,10 @@ class OpenActions:
             self._tell(scanned)
             self._case.apply(foot, _sentence_of_adding(foot.side))
             return
-        answer = SameSide.REPLACE
-        if not self._is_untouched(before):
+        answer, starting = SameSide.REPLACE, starting_device(self._services.paths.settings_folder)
+        if not _is_untouched(before, starting):
             answer = self._messages.questions.about_same_side(foot.side)
         if answer is SameSide.REPLACE:
-            starting = starting_device(self._services.paths.settings_folder)
             foot = replace(foot, earlier=last_design(before, starting))
             self._tell(scanned)
             self._case.apply(foot, tr("Put a new scan into the place of the old"))
@@ -225,12 +224,12 @@ class OpenActions:
         design = starting.design(scanned.foot)
         return FootRecord.begun(scanned.foot, scanned.source, design)
 
-    def _is_untouched(self, foot: FootRecord) -> bool:
-        """Return whether a foot has not been edited since its design began."""
-        starting = starting_device(self._services.paths.settings_folder)
-        begun = FootRecord.begun(foot.foot, foot.source, foot.design)
-        is_begun = (foot.variants, foot.annotations) == (begun.variants, begun.annotations)
-        return is_begun and not starting.prescribes(foot.design)
+
+def _is_untouched(foot: FootRecord, starting: StartingDevice) -> bool:
+    """Return whether a foot has not been edited since its design began."""
+    begun = FootRecord.begun(foot.foot, foot.source, foot.design)
+    is_begun = (foot.variants, foot.annotations) == (begun.variants, begun.annotations)
+    return is_begun and not starting.prescribes(foot.design)
 
 
 def _invented(patient: Patient) -> Patient:
