@@ -202,9 +202,8 @@ class LoadActions:
         told = [load.limits, load.limits_beside] if load.is_both else [load.limits]
         pair = self._pair(dialog) if load.is_both else ()
         names = dialog.shortened(pair) or [""]
-        dialog.reasons.say_all(
-            _all_reasons(told, names)
-        )  # before the rows, which make room for all
+        # Before the rows, which make room for all.
+        dialog.reasons.say_all(_all_reasons(told, names))
         rows = [_row(name, text, told, load.problem) for name, text in _regions().items()]
         areas = [_area_text(one, name) for one, name in zip(told, names, strict=True)]
         dialog.show_rows(rows, "\n".join(filter(None, areas)), pair)

@@ -38,7 +38,7 @@ _USUAL_TARGET = -20.0
 
 
 class LoadDialog(QDialog):
-    """Asks for weight and posture, and shows the table; lies beside the views, not over them.
+    """Asks for weight and posture, and shows the table beside what a view shows.
 
     Parameters
     ----------
