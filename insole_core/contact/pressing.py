@@ -28,6 +28,8 @@ _TABLE = 600
 _SPECTRA = 64
 """Stacks of layers whose sinking is kept: while a pad is drawn, they stay the same."""
 _LEAST_TISSUE_MM = 1e-3
+_LEAST_SOFT = 1e-6
+"""Share of the softest place's softness: what is harder is taken to be as hard."""
 _ROUNDS, _STEPS = 40, 80
 _ROUGH, _FINE = 3e-2, 1e-3
 """What is left of overlaps and gaps where all should touch, as a share of what the load makes sink:
@@ -149,10 +151,18 @@ class Support:
 
     def sunk(self, mpa: FloatArray, roots: FloatArray) -> FloatArray:
         """(beds, ny, nx) how far each bed sinks under pressures (ny, nx), mm."""
-        rows, columns = self.shape
-        loads = scipy.fft.rfft2((mpa * roots).astype(np.float32), self._padded)
-        sunk = scipy.fft.irfft2(loads * self._spectra, self._padded)
-        return np.asarray(roots * sunk[:, :rows, :columns])
+        (rows, columns), (padded_rows, padded_columns) = self.shape, self._padded
+        # Not by rfft2, which transforms the rows of the padding too: they hold and give nothing.
+        waves = scipy.fft.rfft((mpa * roots).astype(np.float32), padded_columns, axis=2)
+        waves = scipy.fft.fft(waves, padded_rows, axis=1)
+        waves *= self._spectra
+        waves = scipy.fft.ifft(waves, axis=1, overwrite_x=True)[:, :rows]
+        return np.asarray(roots * scipy.fft.irfft(waves, padded_columns, axis=2)[:, :, :columns])
+
+    def softness(self, roots: FloatArray) -> FloatArray:
+        """(ny, nx) how far each node sinks where all are pressed alike, mm/MPa."""
+        alike = self._spectra[:, 0, 0].astype(np.float64)
+        return np.asarray(np.tensordot(alike, roots * roots, 1))
 
     def strain(self, sunk: FloatArray, before: FloatArray) -> FloatArray:
         """(ny, nx) strain of tissue that has sunk, as stiff as with a strain before.
@@ -241,7 +251,8 @@ class _Search:
             rounds, finest, same = _FOLLOWED_ROUNDS, _FOLLOWED, _FOLLOWED_SAME
         while rounds > 0:
             rounds -= 1
-            roots, bone = support.roots(strain), _Bone(self._motions, touches)
+            roots = support.roots(strain)
+            bone = _Bone(self._motions, touches, support.softness(roots))
             mpa, beds = self._balanced(mpa, bone, roots, finest if fine else _ROUGH)
             sunk = beds.sum(axis=0)
             motion = bone.motion(self._gap + sunk)
@@ -276,7 +287,9 @@ class _Search:
     ) -> tuple[FloatArray, FloatArray]:
         """Return the pressures under which what touches lies together, and how the beds sink.
 
-        Some may be negative. Every step of the conjugate gradients keeps load and centre.
+        Some may be negative. Every step of the conjugate gradients keeps load and centre; they are
+        preconditioned by what each node sinks where all are pressed alike, which differs much
+        between the heel and the hollow of the arch.
         """
         touches = bone.touches
         mpa = bone.with_sums(mpa * touches, self._sums)
@@ -284,17 +297,19 @@ class _Search:
         sunk = beds.sum(axis=0) * touches
         least = left_over**2 * _square(sunk)
         left = bone.without_motion(-self._gap * touches - sunk)
-        way, size = left, _square(left)
+        way = bone.hardness * left
+        work = float((left * way).sum())
         for _ in range(_STEPS):
-            if size <= least:
+            if _square(left) <= least:
                 break
             answers = self._support.sunk(way, roots)
             answer = answers.sum(axis=0) * touches
-            along = size / float((way * answer).sum())
+            along = work / float((way * answer).sum())
             mpa, beds = mpa + along * way, beds + along * answers
             left = bone.without_motion(left - along * answer)
-            before, size = size, _square(left)
-            way = left + (size / before) * way
+            more = bone.hardness * left
+            before, work = work, float((left * more).sum())
+            way = more + (work / before) * way
         return mpa, beds
 
     def _is_centred(self, mpa: FloatArray) -> bool:
@@ -305,30 +320,37 @@ class _Search:
 class _Bone:
     """The sinking and the two tilts of a rigid bone, where it touches.
 
+    Heights and pressures are weighed by how hard the nodes are, so that a node of the soft hollow
+    counts for little.
+
     Parameters
     ----------
     motions : (3, ny, nx) float64
         How far each node comes down by one of sinking and tilts.
     touches
+    softness : (ny, nx) float64
+        How far each node sinks where all are pressed alike, mm/MPa.
     """
 
-    def __init__(self, motions: FloatArray, touches: BoolArray) -> None:
+    def __init__(self, motions: FloatArray, touches: BoolArray, softness: FloatArray) -> None:
         self.touches = touches
+        self.hardness = 1 / np.maximum(softness, _LEAST_SOFT * softness.max())
         self._motions = (motions * touches).reshape(len(motions), -1)
-        self._inverse = np.linalg.pinv(self._motions @ self._motions.T, hermitian=True)
+        self._pressing = self._motions * self.hardness.ravel()
+        self._inverse = np.linalg.pinv(self._pressing @ self._motions.T, hermitian=True)
 
     def motion(self, heights: FloatArray) -> FloatArray:
         """(3,) at which the bone lies on heights (ny, nx) best."""
-        return np.asarray(self._inverse @ (self._motions @ heights.ravel()))
+        return np.asarray(self._inverse @ (self._pressing @ heights.ravel()))
 
     def without_motion(self, heights: FloatArray) -> FloatArray:
-        """(ny, nx) what is left of heights beside a motion of the bone."""
+        """(ny, nx) what is left of heights beside a motion; weighed, it has no load or moments."""
         return np.asarray(heights - (self.motion(heights) @ self._motions).reshape(heights.shape))
 
     def with_sums(self, mpa: FloatArray, sums: FloatArray) -> FloatArray:
         """(ny, nx) the nearest pressures that have sums (3,) over the motions."""
         missing = sums - self._motions @ mpa.ravel()
-        return np.asarray(mpa + (self._inverse @ missing @ self._motions).reshape(mpa.shape))
+        return np.asarray(mpa + (self._inverse @ missing @ self._pressing).reshape(mpa.shape))
 
 
 def _square(values: FloatArray) -> float:
