@@ -242,13 +242,22 @@ def _explain(
 ) -> _Poses:
     """Find which markers have a point near them; a point explains one marker at most."""
     moved = points @ np.swapaxes(rotations, 1, 2) + translations[:, None]
-    squared = ((moved[:, :, None] - markers) ** 2).sum(3)
+    squared = _squared_distances(moved, markers)
     if len(points) == 0:
         squared = np.full((len(rotations), 1, len(markers)), np.inf)
     nearest, nearest_marker = squared.argmin(1), squared.argmin(2)
     own = np.take_along_axis(nearest_marker, nearest, axis=1) == np.arange(len(markers))
     least = squared.min(1)
     return _Poses(rotations, translations, nearest, own & (least < near_mm**2), least)
+
+
+def _squared_distances(points: FloatArray, markers: FloatArray) -> FloatArray:
+    """Return (t, n, m), mm², of points (t, n, 3) from markers (m, 3).
+
+    Coordinate by coordinate: along an axis of three, sums take several times as long.
+    """
+    x, y, z = ((points[:, :, None, axis] - markers[:, axis]) ** 2 for axis in range(3))
+    return np.asarray(x + y + z)
 
 
 def _elsewhere(
