@@ -211,28 +211,29 @@ def wall_pictures(
 
     Parameters
     ----------
+    captures
+        Of walls.
     corrections
         By name, which is the title of a picture.
     camera
         The depth camera.
     disparity
         Converts raw numbers to depth.
-
-    Raises
-    ------
-    CalibrationError
-        If a capture shows no wall.
     """
-    chosen = np.unique(np.linspace(0, len(captures) - 1, _SHOWN).round().astype(int)).tolist()
-    plots = []
-    for capture in (captures[i] for i in chosen):
+
+    def draw(figure: Figure, capture: WallCapture) -> None:
         images = {
             name: wall_deviation_mm(capture, correction, camera, disparity)
             for name, correction in corrections.items()
         }
-        title = f"{capture.name}: distance from a flat wall, mm"
-        plots.append(Plot(title, partial(_draw, images=images)))
-    return tuple(plots)
+        _draw(figure, images)
+
+    chosen = np.unique(np.linspace(0, len(captures) - 1, _SHOWN).round().astype(int)).tolist()
+    return tuple(
+        # Fitted only once a file shows it: most reports are numbers alone.
+        Plot(f"{capture.name}: distance from a flat wall, mm", partial(draw, capture=capture))
+        for capture in (captures[i] for i in chosen)
+    )
 
 
 def _draw(figure: Figure, images: Mapping[str, FloatArray]) -> None:

@@ -60,9 +60,8 @@ def calibrate_distortion_step(
         disparity,
         DistortionOptions(reach_mm=sensor.family.wall_mm),
         serial=sensor.serial,
-        progress=progress.part(0, 0.9),
+        progress=progress,
     )
-    progress.step(0.9, "Drawing the walls before and after")
     names = {wall.name for wall in calibration.walls}
     used = [capture for capture in captures if capture.name in names]
     corrections: dict[str, Correction] = {"before": NoCorrection(), "after": calibration.correction}

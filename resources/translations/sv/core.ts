@@ -1012,10 +1012,6 @@
             <translation>Ritar stycket</translation>
         </message>
         <message>
-            <source>Drawing the walls before and after</source>
-            <translation>Ritar väggarna före och efter</translation>
-        </message>
-        <message>
             <source>Drawn outline</source>
             <translation>Ritad kontur</translation>
         </message>
