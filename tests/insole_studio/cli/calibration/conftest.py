@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from found_once import SharedResults, share_results
 from simulated_device import WALLS, SimulatedDevice, smooth_distortion
 from simulated_folders import BOARD_CALL, write_boards, write_walls
 
@@ -25,7 +26,9 @@ class Recorded:
 
 
 @pytest.fixture(scope="session")
-def recorded_once(tmp_path_factory: pytest.TempPathFactory, undraw_reports) -> Recorded:
+def recorded_once(
+    tmp_path_factory: pytest.TempPathFactory, undraw_reports, kept: SharedResults
+) -> Recorded:
     folder = tmp_path_factory.mktemp("recorded")
     device = SimulatedDevice(smooth_distortion(3, 3.0), disparity=USUAL_DEPTH)
     recorded = Recorded(
@@ -34,11 +37,12 @@ def recorded_once(tmp_path_factory: pytest.TempPathFactory, undraw_reports) -> R
         write_walls(folder / "walls", device, WALLS),
         folder / "sensors",
     )
-    kept = ["--serial", "SIM1", "--sensors", str(recorded.sensors)]
+    call = ["--serial", "SIM1", "--sensors", str(recorded.sensors)]
     with pytest.MonkeyPatch.context() as patch:
         undraw_reports(patch)
-        assert run(["calibrate", "color", str(recorded.boards), *BOARD_CALL, *kept]) == 0
-        assert run(["calibrate", "distortion", str(recorded.walls), *kept]) == 0
+        share_results(kept, patch)  # tests look for the board in the same pictures
+        assert run(["calibrate", "color", str(recorded.boards), *BOARD_CALL, *call]) == 0
+        assert run(["calibrate", "distortion", str(recorded.walls), *call]) == 0
     return recorded
 
 
