@@ -88,19 +88,29 @@ class OrderedPiece:
 
     Parameters
     ----------
-    order
-        By which the order is known to the shop: its number, and the pseudonym; never a name.
+    number
+        Of the order.
     solid : mm
         Standing on z = 0, toes towards +y.
     quantity
         None where its files do not say it; it then lies on the block once.
+    pseudonym
+        Of the patient, never a name; empty where the number stands in its place.
     """
 
-    order: str
+    number: str
     side: Side
     solid: TriangleMesh
     material: str = ""
     quantity: int | None = 1
+    pseudonym: str = ""
+
+    @property
+    def order(self) -> str:
+        """What the piece is known to the shop by: the order's number, and the pseudonym."""
+        if self.pseudonym.startswith(self.number):
+            return self.pseudonym
+        return f"{self.number} {self.pseudonym}".rstrip()
 
     @property
     def name(self) -> str:
@@ -163,12 +173,12 @@ def gathered(orders: Iterable[Iterable[OrderedPiece]]) -> list[OrderedPiece]:
     """
     pieces: list[OrderedPiece] = []
     for order in orders:
-        before = {piece.order for piece in pieces}
+        before = {piece.number for piece in pieces}
         for piece in order:
-            if piece.order in before:
+            if piece.number in before:
                 raise InputError(
                     "Order {number} is among them twice; name its last revision alone.",
-                    number=piece.order,
+                    number=piece.number,
                 )
             pieces.append(piece)
             _check_number(pieces)
@@ -248,12 +258,13 @@ def _quantity_in(terms: SheetTerms) -> int | None:
 
 
 def _pieces_of_item(path: Path, item: OrderItem, number: str) -> Iterator[OrderedPiece]:
-    order = number if item.pseudonym == number else f"{number} {item.pseudonym}"
     for file in item.files:
         if file.role == "solid":
             side = _only_side(file.name, file.sides)
             solid = _solid(Path(file.name), ordered_content(path, file))
-            yield OrderedPiece(order, side, solid, item.materials[side], item.terms.quantity)
+            yield OrderedPiece(
+                number, side, solid, item.materials[side], item.terms.quantity, item.pseudonym
+            )
 
 
 def _only_side(name: str, sides: Sequence[Side | None]) -> Side:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Iterator
-from datetime import date, datetime
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -85,7 +85,7 @@ def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
     terms.check(now.date())
     number = arguments.number or new_order_number(now.date())
     shop = read_shop(arguments.shop)
-    items = _items(arguments, terms, shop, progress)
+    items = _items(arguments, terms, number, shop, progress)
     order = write_package(
         items, arguments.out,
         number=number, shop=shop, now=now, released_by=_released_by(arguments),
@@ -116,9 +116,13 @@ def _terms(arguments: argparse.Namespace) -> OrderTerms:
 
 
 def _items(
-    arguments: argparse.Namespace, terms: OrderTerms, shop: Shop, progress: Progress
+    arguments: argparse.Namespace, terms: OrderTerms, number: str, shop: Shop, progress: Progress
 ) -> Iterator[PackedItem]:
-    """Make the parts of one case after the other."""
+    """Make the parts of one case after the other; a number stands for pseudonyms not given.
+
+    Of several cases each has its place behind the number. Nothing is drawn for them: the next
+    revision of the order calls the same pieces the same.
+    """
     from insole_core.cases.case_file import read_case
     from insole_core.solids.export_rules import read_rules
     from insole_core.solids.prescription_paper import NOBODY
@@ -127,7 +131,8 @@ def _items(
 
     rules = read_rules(arguments.rules)
     steps = progress.part(0.0, 0.95).parts(len(arguments.cases))
-    for path, step in zip(arguments.cases, steps, strict=True):
+    several = len(arguments.cases) > 1
+    for place, (path, step) in enumerate(zip(arguments.cases, steps, strict=True), 1):
         record = read_case(path)
         if arguments.side != "both":
             side = Side(arguments.side)
@@ -136,7 +141,12 @@ def _items(
             record = record.at(side)
         elif not record.feet:
             raise UsageError(f"{path} has no foot; add one in the window first.")
-        choice = _choice(arguments, terms, record.patient.pseudonym)
+        known = record.patient.pseudonym
+        if not known:
+            known = f"{number}-{place}" if several else number
+            if several:
+                print(visible_line(f"{path.name} is {known} in the order."), file=sys.stderr)
+        choice = _choice(arguments, terms, known)
         parts = make_parts(record, choice, rules, step)
         letters = letters_told(choice, record.patient, NOBODY)
         if letters is not None:
@@ -155,7 +165,6 @@ def _items(
 
 
 def _choice(arguments: argparse.Namespace, terms: OrderTerms, pseudonym: str) -> OrderChoice:
-    from insole_core.solids.order_number import new_order_number
     from insole_core.workflows.make_order import OrderChoice
 
     return OrderChoice(
@@ -163,7 +172,7 @@ def _choice(arguments: argparse.Namespace, terms: OrderTerms, pseudonym: str) ->
         both=arguments.side == "both",
         suffix=f".{arguments.format}",
         most_triangles=arguments.triangles,
-        pseudonym=pseudonym or new_order_number(date.today()),
+        pseudonym=pseudonym,
         material=arguments.material.strip(),
         outlines=arguments.dxf,
         terms=terms,

@@ -302,7 +302,7 @@ def test_an_order_without_solids_is_left_out_and_told(tmp_path: Path) -> None:
 def test_an_order_that_comes_again_is_refused(orders: list[Path]) -> None:
     read = [list(pieces_of_order(path)) for path in orders]
     assert gathered(read) == [*read[0], *read[1]]
-    with pytest.raises(InputError, match="Order 26-1 P-1 is among them twice"):
+    with pytest.raises(InputError, match="Order 26-1 is among them twice"):
         gathered([*read, read[0]])
 
 

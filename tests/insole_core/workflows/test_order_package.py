@@ -37,6 +37,7 @@ from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.order import Part
 from insole_core.solids.shop import read_shop
 from insole_core.workflows.make_order import OrderChoice, make_parts
+from insole_core.workflows.nest_orders import pieces_of_order
 from insole_core.workflows.order_package import PackedItem, write_package
 from insole_studio.cli.main import run
 from insole_studio.texts import translation_into
@@ -447,3 +448,52 @@ def test_the_command_writes_and_verifies(
     for name in ("out.zip", "out"):
         assert run(["order", "verify", str(tmp_path / "nothing" / name)]) == 1
         assert "check the name" in capsys.readouterr().err
+
+
+@pytest.fixture(scope="module")
+def unknown(record: CaseRecord, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Two cases of patients without pseudonym."""
+    folder = tmp_path_factory.mktemp("unknown")
+    paths = [folder / "a.insole", folder / "b.insole"]
+    left = replace(record, feet=record.feet[:1])
+    for path in paths:
+        write_case(replace(left, patient=Patient("Astrid Malmsten")), path)
+    return paths
+
+
+def test_revisions_of_an_order_call_their_pieces_the_same_and_are_not_nested_together(
+    unknown: list[Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, earlier = tmp_path / "o.zip", tmp_path / "x"
+    create = ["order", "create", str(unknown[0]), "--out", str(out), "--number", "26-7KQ4M"]
+    assert run([*create, "--quantity", "2"]) == 0
+    first = verify_order(out).order
+    with zipfile.ZipFile(out) as archive:
+        archive.extractall(earlier)
+    assert run(create) == 0
+    last = verify_order(out).order
+    assert (first.release.revision, last.release.revision) == (1, 2)
+    assert [file.name for file in last.files] == [file.name for file in first.files]
+    (item,) = last.items
+    assert item.pseudonym == "26-7KQ4M", "one identification leaves the clinic"
+    assert item.serials == {Side.LEFT: "26-7KQ4M-2-L"}
+    nest = ["order", "nest", str(earlier), str(out), "--out", str(tmp_path / "n.3mf")]
+    assert run([*nest, "--size", "1000x600x40"]) != 0
+    told = capsys.readouterr().err.splitlines()[-1]
+    assert "Order 26-7KQ4M is among them twice; name its last revision alone." in told
+    assert not (tmp_path / "n.3mf").exists()
+
+
+def test_several_patients_without_pseudonym_are_told_apart_by_their_places(
+    unknown: list[Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "o.zip"
+    create = ["order", "create", *map(str, unknown), "--out", str(out), "--number", "26-8"]
+    for _revision in range(2):
+        assert run(create) == 0
+        order = verify_order(out).order
+        assert [item.pseudonym for item in order.items] == ["26-8-1", "26-8-2"]
+        told = capsys.readouterr().err
+        assert "a.insole is 26-8-1 in the order.\n" in told
+        assert "b.insole is 26-8-2 in the order.\n" in told
+    assert [piece.name for piece in pieces_of_order(out)] == ["26-8-1 left", "26-8-2 left"]
