@@ -182,7 +182,7 @@ def _along_foot_axis(foot: Foot) -> SoleSurface:
     """Return the sole, rotated so that pternion and tip of the 2nd toe lie along y."""
     sole = SoleSurface(LowFoot.of(foot))
     for _ in range(2):
-        sole = sole.along(sole.toe_tips()[1].point - _pternion(sole).point)
+        sole = sole.along(sole.second_toe_tip().point - _pternion(sole).point)
     return sole
 
 

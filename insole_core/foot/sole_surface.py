@@ -306,17 +306,35 @@ class SoleSurface:
 
     def toe_tips(self) -> list[End]:
         """Find the five tips, medial to lateral, mm, sole frame; a guess where no toe was found."""
+        tips: list[End] = []
+        for toe in range(len(_TOE_ACROSS)):
+            # Beyond the 2nd, a toe lies about one toe's width beside the previous one.
+            tips.append(self._tip(toe, float(tips[-1].point[0]) if toe > 1 else None))
+        return tips
+
+    def second_toe_tip(self) -> End:
+        """Find the tip of the 2nd toe alone, as `toe_tips` does."""
+        return self._tip(1)
+
+    def _tip(self, toe: int, beside_mm: float | None = None) -> End:
+        """Find the tip of a toe, counted from 0, across from the medial border or a given x."""
+        lateral, medial = self._ball
+        width = medial - lateral
+        from_x = medial if beside_mm is None else beside_mm
+        usual = np.array(
+            [
+                from_x - _TOE_ACROSS[toe] * width,
+                self.back_mm + _TOE_REACH[toe] * self.length_mm,
+            ]
+        )
+        return self._toe_tip(usual, _TOE_SEARCH[toe] * width)
+
+    @cached_property
+    def _ball(self) -> tuple[float, float]:
+        """Lateral and medial x of the ball."""
         ball = self._inner.points[np.abs(self._shares - 0.68) < 0.03]
         ball = ball if len(ball) else self._inner.points
-        lateral, medial = float(ball[:, 0].min()), float(ball[:, 0].max())
-        width = medial - lateral
-        tips: list[End] = []
-        for across, ahead, search in zip(_TOE_ACROSS, _TOE_REACH, _TOE_SEARCH, strict=True):
-            # Beyond the 2nd, a toe lies about one toe's width beside the previous one.
-            from_x = medial if len(tips) < 2 else float(tips[-1].point[0])
-            usual = np.array([from_x - across * width, self.back_mm + ahead * self.length_mm])
-            tips.append(self._toe_tip(usual, search * width))
-        return tips
+        return float(ball[:, 0].min()), float(ball[:, 0].max())
 
     def _toe_tip(self, usual: FloatArray, search_mm: float) -> End:
         x = pulp_line(self._sole.points, self._sole.area_mm2, self.length_mm, usual, search_mm)
