@@ -102,14 +102,24 @@ def place_foot(mesh: TriangleMesh, side: Side, *, frame: Frame, force: bool = Fa
         When the surface does not look like a foot in any pose, has no sole, or, in an unknown
         frame, has a size that no foot has or, without `force`, proportions that none has.
     """
-    found = find_foot(mesh) if frame == "unknown" else _held_foot(mesh)
-    candidate = next(one for one in found.candidates if one.side is side)
-    foot = placed_foot(found, candidate, force=force)
     if frame == "unknown":
-        check_length(foot.length_mm, candidate.part_mm, force=force)
-        if not force:
-            check_proportions(proportions(foot.mesh, foot.length_mm))
+        return _checked_foot(find_foot(mesh), side, force=force)
+    found = _held_foot(mesh)
+    return placed_foot(found, _of_side(found, side), force=force)
+
+
+def _checked_foot(found: FoundFoot, side: Side, *, force: bool = False) -> Foot:
+    """Bring a foot that lay in any way to the insole frame, if it has a size and shape of one."""
+    candidate = _of_side(found, side)
+    foot = placed_foot(found, candidate, force=force)
+    check_length(foot.length_mm, candidate.part_mm, force=force)
+    if not force:
+        check_proportions(proportions(foot.mesh, foot.length_mm))
     return foot
+
+
+def _of_side(found: FoundFoot, side: Side) -> FootCandidate:
+    return next(one for one in found.candidates if one.side is side)
 
 
 def find_foot(
@@ -138,6 +148,16 @@ def find_foot(
     if (origin := far_origin(mesh.vertices)).any():
         near = mesh.transformed(rigid(np.eye(3), -origin))
         return find_foot(near, side, None if pose is None else pose.moved(-origin)).moved(origin)
+    return _find(mesh, side, pose)
+
+
+def _find(
+    mesh: TriangleMesh,
+    side: Side | None = None,
+    pose: PoseClicks | None = None,
+    known: FoundFoot | None = None,
+) -> FoundFoot:
+    """Find a foot near the origin; what is known of the same surface is not computed again."""
     mesh, scraps = without_scraps(mesh)
     standing = _standing_foot(mesh)
     if standing is not None:
@@ -153,7 +173,7 @@ def find_foot(
     mesh, inside_out = _outside_out(mesh, poses[0].source2rough)
     notes = (_pose_note(pose), *_surface_notes(scraps, inside_out))
     shows_pulps = standing is None  # a plane has none
-    found = _found(mesh, points, poses, notes, normals, shows_pulps=shows_pulps)
+    found = _found(mesh, points, poses, notes, normals, shows_pulps=shows_pulps, known=known)
     if pose is None:
         found = _with_other_ways(found, points, normals, poses, shows_pulps)
     return replace(
@@ -254,7 +274,7 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
     if side is None:
         return None
     try:
-        return place_foot(mesh, side, frame="unknown")
+        return _checked_foot(_find(mesh, known=found), side)
     except (InputError, SideMismatchError):  # of a size or proportions that no foot has
         return None
 
@@ -274,10 +294,14 @@ def _found(
     normals: FloatArray | None = None,
     *,
     shows_pulps: bool = True,
+    known: FoundFoot | None = None,
 ) -> FoundFoot:
     """Level the surface as a foot of either side."""
-    steady = without_noise(mesh)
-    even = EvenSurface.of(steady)
+    if known is not None and known.mesh is mesh:
+        steady, even = known.steady, known.even
+    else:
+        steady = without_noise(mesh)
+        even = EvenSurface.of(steady)
     nearest, other = sorted(
         (_best(even, points, poses, side, normals, shows_pulps=shows_pulps) for side in Side),
         key=lambda one: one.dissimilarity,

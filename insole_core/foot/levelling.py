@@ -87,6 +87,15 @@ def level(
     InputError
         When nothing faces the ground.
     """
+    key = (side, source2rough.tobytes(), covered, shows_pulps)
+    return surface.derived.get(
+        "level", key, lambda: _level(surface, side, source2rough, covered, shows_pulps)
+    )
+
+
+def _level(
+    surface: EvenSurface, side: Side, source2rough: FloatArray, covered: float, shows_pulps: bool
+) -> LevelFoot:
     low = _low_part(surface, source2rough)
     for toes in ("pulps" if shows_pulps else "backs", None):
         pose, at_rest = _settled(low, side, source2rough, covered, toes)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -11,6 +11,7 @@ from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntAr
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.transforms import transform
+from insole_core.memo import Memo
 
 _STEPS = (0.7548776662466927, 0.5698402909980532)
 """Of the additive sequence R2 (Roberts 2018), which fills a square evenly."""
@@ -22,6 +23,7 @@ _LEAST_MM2 = 0.3  # of a surface in a cell that it does not only touch
 _LEAST_NORMAL = 0.4
 """Least length of a cell's mean normal; it is shorter where two walls meet in the cell."""
 _RIM_MM = 10.0  # greatest distance from the boundary that is computed
+_MOST_DERIVED = 4  # of each kind
 _PATCH_MM, _SAME_DEG = 8.0, 0.1  # about a point, and the angle within which normals are the same
 
 
@@ -157,6 +159,8 @@ class EvenSurface:
         Unit normals of the triangles, averaged over a cell only.
     rim_mm : (n,) float64
         Distance from the boundary of an open surface; infinite from 10 mm on.
+    derived
+        What was computed from these points, for as long as they are kept.
     """
 
     points: FloatArray
@@ -164,6 +168,7 @@ class EvenSurface:
     area_mm2: FloatArray
     facets: FloatArray
     rim_mm: FloatArray
+    derived: Memo = field(default_factory=lambda: Memo(_MOST_DERIVED), init=False, repr=False)
 
     @staticmethod
     def of(mesh: TriangleMesh) -> EvenSurface:
