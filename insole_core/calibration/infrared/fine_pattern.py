@@ -30,11 +30,25 @@ _ROWS, _COLUMNS = 480, 640
 
 @dataclass(frozen=True, eq=False)
 class _Samples:
-    """Where the pixels of one picture lie in the pattern: between two of its columns."""
+    """Where the pixels of one picture lie in the pattern: between two of its columns.
+
+    Parameters
+    ----------
+    across : (480, 640) float32, columns
+    used : (480, 640) bool
+        Which of them lie in it; all that follows is of these only.
+    column : (n,) int64
+        The one on the left of each pixel.
+    place : (n,) int64
+        Its index among those of all rows.
+    share : (n,) float64
+        How far each pixel lies from it to the next.
+    """
 
     across: Float32Array
     used: BoolArray
-    left: IntArray
+    column: IntArray
+    place: IntArray
     share: FloatArray
 
 
@@ -93,7 +107,7 @@ class FinePattern:
         reached = np.zeros((_ROWS, self._columns // FINE), np.int64)
         for sample in samples:
             row = np.broadcast_to(np.arange(_ROWS)[:, None], sample.used.shape)[sample.used]
-            np.add.at(reached, (row, sample.left[sample.used] // FINE), 1)
+            np.add.at(reached, (row, sample.column // FINE), 1)
         return float((reached >= least).sum() / max((reached > 0).sum(), 1))
 
     def _none(self) -> Float32Array:
@@ -109,8 +123,11 @@ class FinePattern:
         across = (np.arange(_COLUMNS) + raw / RAW_PER_PX - self.first_px) * FINE
         used = (across >= 0) & (across < self._columns - 1)
         across = np.where(used, across, 0)
-        left = np.floor(across).astype(np.int64)
-        return _Samples(across.astype(np.float32), used, left, across - left)
+        within = across[used]
+        column = np.floor(within).astype(np.int64)
+        row = np.broadcast_to(np.arange(_ROWS)[:, None], used.shape)[used]
+        place = row * self._columns + column
+        return _Samples(across.astype(np.float32), used, column, place, within - column)
 
     def _expected(self, seen: Float32Array, sample: _Samples) -> Float32Array:
         down = np.repeat(np.arange(_ROWS, dtype=np.float32)[:, None], _COLUMNS, axis=1)
@@ -121,11 +138,9 @@ class FinePattern:
         self, sample: _Samples, values: FloatArray | Float32Array | BoolArray
     ) -> Float32Array:
         """Give every pixel's value to the two columns beside it: the transpose of sampling."""
-        place = (np.arange(_ROWS)[:, None] * self._columns + sample.left)[sample.used]
-        value, share = np.asarray(values, np.float64)[sample.used], sample.share[sample.used]
-        size = _ROWS * self._columns
-        total = np.bincount(place, value * (1 - share), size)
-        total += np.bincount(place + 1, value * share, size)
+        value, size = values[sample.used].astype(np.float64), _ROWS * self._columns
+        total = np.bincount(sample.place, value * (1 - sample.share), size)
+        total[1:] += np.bincount(sample.place, value * sample.share, size)[:-1]
         spread = self._none()
         spread[::_DOWN] = total.reshape(_ROWS, self._columns)
         return spread
