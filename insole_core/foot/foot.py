@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
 
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.geometry.arrays import FloatArray
@@ -16,6 +19,8 @@ from insole_core.memo import Memo
 
 DISPLAY = "display"
 """Kind of the surface for display in the cache of a foot."""
+_MIRROR: Final = np.diag([-1.0, 1.0, 1.0, 1.0])
+"""In the plane x = 0, which holds the foot axis."""
 _KEPT, _LEAST_KEPT, _MOST_BYTES = 8, 2, 96_000_000
 """Results of a kind: enough to change between a clinic's devices, on fine grids between two."""
 
@@ -74,6 +79,26 @@ class Foot:
         It is the mesh itself where that has little.
         """
         return self.derived.get("measured", (), lambda: without_noise(self.mesh))
+
+    def mirror_image(self) -> Foot:
+        """Return the foot of the other side as the mirror image of this one, marked as such.
+
+        What it is measured by is mirrored with it, so that nothing that is found on it differs.
+        """
+        mesh, measured, even = self.mesh.mirrored(), self.measured, self.even.mirrored()
+        steady = mesh if measured is self.mesh else measured.mirrored()
+        foot = Foot(
+            self.side.other,
+            mesh,
+            _MIRROR @ self.source2insole @ _MIRROR,  # that of the mirrored scan
+            self.length_mm,
+            form=self.form,
+            mirrored=not self.mirrored,
+            scanned_on=self.scanned_on,
+        )
+        foot.derived.get("measured", (), lambda: steady)
+        foot.derived.get("even", (), lambda: even)
+        return foot
 
     def display_surface(self) -> DisplaySurface:
         """Return the surface to be shown, with an even border; computed once, in about 0.3 s."""

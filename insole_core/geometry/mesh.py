@@ -20,6 +20,7 @@ from insole_core.geometry.arrays import (
 from insole_core.geometry.transforms import transform
 
 _Matrix: TypeAlias = "scipy.sparse.csr_array[np.float64]"
+_MIRROR = np.array([-1.0, 1.0, 1.0])
 PLY_ELEMENT = "touch"
 """Name of the PLY element that holds the constraints, beside vertices and faces."""
 
@@ -169,6 +170,10 @@ class ContourConstraints:
         """Return the constraints with their points multiplied by `factor`, to change the unit."""
         return ContourConstraints(self.points * factor, self.normals)
 
+    def mirrored(self) -> ContourConstraints:
+        """Return the mirror image in x: of what is seen from the other side, as surely."""
+        return ContourConstraints(self.points * _MIRROR, self.normals * _MIRROR)
+
 
 @dataclass(frozen=True, eq=False)
 class TriangleMesh:
@@ -307,8 +312,9 @@ class TriangleMesh:
         return TriangleMesh(self.vertices[keep], index[triangles], colors, self.touches)
 
     def mirrored(self) -> TriangleMesh:
-        """Return the mirror image in x, facing outwards as this one; without `touches`."""
-        return replace(self, vertices=self.vertices * [-1.0, 1.0, 1.0], touches=None).flipped()
+        """Return the mirror image in x, facing outwards as this one."""
+        touches = None if self.touches is None else self.touches.mirrored()
+        return replace(self, vertices=self.vertices * _MIRROR, touches=touches).flipped()
 
     def flipped(self) -> TriangleMesh:
         """Turn the mesh inside out."""

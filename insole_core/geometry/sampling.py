@@ -205,6 +205,16 @@ class EvenSurface:
             facets=np.asarray(self.facets @ rotation),
         )
 
+    def mirrored(self) -> EvenSurface:
+        """Return the mirror image in x."""
+        mirror = np.array([-1.0, 1.0, 1.0])
+        return replace(
+            self,
+            points=self.points * mirror,
+            normals=self.normals * mirror,
+            facets=self.facets * mirror,
+        )
+
     def facet_mm2(self, point: FloatArray) -> float:
         """Return the mean area of the plane facets about a point (3,), however they are cut.
 

@@ -7,9 +7,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
-from typing import Final
-
-import numpy as np
 
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import Annotations, FootRecord, Patient, Point
@@ -20,7 +17,12 @@ from insole_core.insole.elements import Correction, new_id
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.device import Device, apply_device
 from insole_core.insole.prescription.materials import MaterialTable, with_least_thickness
-from insole_core.insole.prescription.template import Template, apply_template, make_template
+from insole_core.insole.prescription.template import (
+    Template,
+    apply_template,
+    make_template,
+    mirrored,
+)
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
 from insole_core.workflows.clinic_devices import DefaultDevice, clinic_devices, default_device
@@ -29,8 +31,6 @@ from insole_core.workflows.file_kind import CASE_SUFFIX
 from insole_core.workflows.foot_landmarks import landmarks_of
 
 log = logging.getLogger(__name__)
-_MIRROR: Final = np.diag([-1.0, 1.0, 1.0, 1.0])
-"""In the plane x = 0, which holds the foot axis."""
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,10 @@ def fitted(
     DesignError
         When the landmarks are in an impossible order.
     """
-    design = apply_template(template, foot.side, landmarks_of(foot))
+    return _as_new(apply_template(template, foot.side, landmarks_of(foot)), stamp)
+
+
+def _as_new(design: InsoleDesign, stamp: Callable[[Correction], Correction]) -> InsoleDesign:
     fresh = (stamp(replace(c, id=new_id())) for c in design.corrections)
     return replace(design, corrections=tuple(fresh))
 
@@ -215,28 +218,15 @@ def mirrored_foot(record: FootRecord, stamp: Callable[[Correction], Correction])
     ----------
     stamp
         Returns a correction with author and time of the new prescription.
-
-    Raises
-    ------
-    DesignError
-        When the landmarks are in an impossible order.
     """
-    foot, source = record.foot, record.source
-    mirror_image = Foot(
-        foot.side.other,
-        foot.mesh.mirrored(),
-        _MIRROR @ foot.source2insole @ _MIRROR,  # that of the mirrored scan
-        foot.length_mm,
-        form=foot.form,
-        mirrored=not foot.mirrored,
-        scanned_on=foot.scanned_on,
-    )
-    made = FootRecord.begun(
-        mirror_image,
+    source = record.source
+    design = mirrored(record.design)
+    return FootRecord.begun(
+        record.foot.mirror_image(),
         replace(source, mirrored=not source.mirrored),
+        _as_new(design, stamp),
         annotations=_mirrored(record.annotations),
     )
-    return made.with_design(fitted(template_of(record), made, stamp))
 
 
 def _mirrored(annotations: Annotations) -> Annotations:

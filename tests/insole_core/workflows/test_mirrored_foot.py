@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from read_pdf import text_of_pdf
+from scipy.spatial import cKDTree
 
 from insole_core.cases.case_file import read_case, write_case
 from insole_core.cases.case_record import Annotations, CaseRecord, FootRecord, KeyPoint, Patient
@@ -21,6 +22,8 @@ from insole_core.geometry.transforms import inverse
 from insole_core.insole.build import build_insole
 from insole_core.insole.elements import Pelott, Posting
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.template import mirrored as mirror
+from insole_core.resources import resource_path
 from insole_core.solids.export_rules import ExportRules
 from insole_core.solids.prescription_paper import Responsible
 from insole_core.solids.shop import read_shop
@@ -68,7 +71,7 @@ def test_foot_and_landmarks_are_the_mirror_image(scanned: FootRecord, mirrored: 
     assert mirrored.annotations.key_points != scanned.annotations.key_points
     left, right = landmarks_of(scanned), landmarks_of(mirrored)
     for name, mark in left.items():
-        np.testing.assert_allclose(right[name].point, mark.point * [-1, 1, 1], atol=0.3)
+        np.testing.assert_allclose(right[name].point, mark.point * [-1, 1, 1], atol=1e-6)
 
 
 def test_its_insole_is_the_mirror_image(scanned: FootRecord, mirrored: FootRecord) -> None:
@@ -78,7 +81,43 @@ def test_its_insole_is_the_mirror_image(scanned: FootRecord, mirrored: FootRecor
     x, y = x.ravel(), y.ravel()
     there = right.contact.height_at(np.stack([x, y], axis=1))
     here = left.contact.height_at(np.stack([-x, y], axis=1))
-    np.testing.assert_allclose(there, here, atol=0.1)
+    np.testing.assert_allclose(there, here, atol=1e-6)
+
+
+def test_what_the_pictures_told_of_a_recorded_foot_is_mirrored_with_it(
+    tmp_path: Path,
+) -> None:
+    """The outlines in the pictures tell where the foot ends, and how surely, as on the scan."""
+    recorded = read_case(resource_path("example/example.insole")).feet[0]
+    design = recorded.design.with_added(Pelott(centre_mm=(-8.0, 150.0), turn_deg=7.0))
+    recorded = recorded.with_design(design.with_added(Posting(rearfoot_deg=4.0)))
+    image = mirrored_foot(recorded, lambda correction: correction)
+    assert recorded.foot.mesh.touches is not None
+    here, there = landmarks_of(recorded), landmarks_of(image)
+    assert list(there) == list(here)
+    for name, mark in here.items():
+        told = (mark.confidence, mark.deviation_mm or 0.0)
+        mirrored = there[name]
+        np.testing.assert_allclose(mirrored.point, mark.point * [-1, 1, 1], atol=1e-6)
+        assert (mirrored.confidence, mirrored.deviation_mm or 0.0) == pytest.approx(told, abs=1e-9)
+    own = mirror(recorded.design)
+    renamed = [
+        replace(c, id=made.id)
+        for c, made in zip(own.corrections, image.design.corrections, strict=True)
+    ]
+    assert image.design == replace(own, corrections=tuple(renamed))
+    solids = [
+        part.solid.vertices
+        for part in make_parts(
+            CaseRecord(PATIENT, (recorded, image), recorded.side),
+            OrderChoice(both=True, most_triangles=None),
+            ExportRules({}, {}),
+        )
+    ]
+    way_mm, _ = cKDTree(solids[0]).query(solids[1] * [-1, 1, 1])
+    # Where two places of the rim's edge are equally near, either one may take another.
+    assert np.count_nonzero(way_mm > 1e-6) <= 4
+    assert way_mm.max() < 0.25
 
 
 def test_the_case_keeps_that_it_was_mirrored(

@@ -185,8 +185,6 @@ class FeetActions:
         ------
         UsageError
             If the case has both feet.
-        DesignError
-            If landmarks lie in an impossible order.
         """
         foot = self._case.record.current
         assert foot is not None, "the action needs a foot"
