@@ -256,7 +256,7 @@ class ImportPresenter(QObject):
 
     def _show_found(self, found: FoundScan) -> None:
         self._found = found
-        self._force = bool(found.refusal) or found.choice.force
+        self._force = bool(found.refusal)
         self._clicks = []
         if found.feet and len(found.feet) != self._said_of:  # other feet; none in a wrong unit
             self._said, self._said_of = {}, len(found.feet)

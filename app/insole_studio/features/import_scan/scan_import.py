@@ -51,7 +51,8 @@ class ScanImport:
             choice = choice_of(made) if made else ImportChoice(side)
             found = find_scan(path, choice, None, progress)
             if made:  # shown as it was read before, for whoever wants to read it in another way
-                return replace(found, before=tuple(record.foot for record in made)), None
+                found = replace(found, before=tuple(record.foot for record in made))
+                return replace(found, refusal=_objection(found)), None
             return _taken_at_once(found)
 
         def opened(result: tuple[FoundScan, ScannedFoot | None]) -> None:
@@ -74,6 +75,24 @@ class ScanImport:
         )
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
+
+
+def _objection(found: FoundScan) -> str:
+    """Return what spoke against the feet of a scan when the user insisted on them."""
+    from insole_core.workflows.import_scan import take_foot
+
+    examination = found.examination
+    if examination is None or not found.choice.force:
+        return found.refusal
+    choice = replace(found.choice, force=False)
+    proposed = (found.proposed(number) for number in range(len(found.feet)))
+    try:
+        for foot, candidate in zip(found.feet, proposed, strict=True):
+            if candidate is not None:
+                take_foot(examination, foot, candidate, choice)
+    except InsoleError as error:
+        return error.message
+    return ""
 
 
 def _taken_at_once(found: FoundScan) -> tuple[FoundScan, ScannedFoot | None]:

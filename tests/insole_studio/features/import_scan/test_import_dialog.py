@@ -121,6 +121,30 @@ def test_the_other_side_outlives_another_reading_and_is_opened_only_if_the_user_
     assert app.case.foot.side is Side.LEFT
 
 
+def test_what_spoke_against_a_side_is_said_again_when_the_scan_is_opened_once_more(
+    app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
+) -> None:
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    for _ in range(2):
+        QTest.mouseClick(dialog.open_button, LEFT)
+        settle()
+    assert app.case.side is Side.LEFT
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    assert dialog.sides[Side.LEFT].isChecked()
+    assert "looks like a right foot" in dialog.doubts.text()
+    assert dialog.open_button.text() == "Open anyway"
+    QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
+    assert not dialog.doubts.isVisible()
+    assert dialog.open_button.text() == "Open"
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    QTest.mouseClick(dialog.open_button, LEFT)
+    settle()
+    assert "looks like a right foot" in dialog.doubts.text()  # insisting is for one choice
+
+
 def test_a_contradicted_side_is_put_right_with_one_press(
     app: Application, open_scan: Open, settle: Callable[[], None], right_foot: TriangleMesh
 ) -> None:
