@@ -14,8 +14,8 @@ from insole_core.errors import DesignError, InputError
 from insole_core.export.order_verification import (
     MOST_BYTES_OF_A_PAPER,
     ordered_content,
-    read_order,
     side_in_name,
+    verify_order,
 )
 from insole_core.export.sheet_terms import SheetTerms, terms_in
 from insole_core.export.shop_order import MOST_PAIRS, ORDER_FILE, OrderItem
@@ -70,6 +70,8 @@ MOST_GAP_MM: Final = 100.0
 MOST_SIDE_MM: Final = 3000.0
 """Of the block."""
 _MOST_PIECES: Final = 500
+_MOST_TOLD: Final = 5
+"""Problems of an order in one sentence."""
 _MOST_BYTES: Final = 512 * 2**20
 _ALONG: Final[tuple[Turn, ...]] = (0, 180)
 _ACROSS: Final[tuple[Turn, ...]] = (90, 270)
@@ -191,11 +193,27 @@ def pieces_of_order(path: Path) -> Iterator[OrderedPiece]:
     Raises
     ------
     InputError
-        When it is no order, a file of it was changed, or holds no piece alone.
+        When it is no order, is not as it was written, or a file of it holds no piece alone.
     """
-    order = read_order(path)
+    verification = verify_order(path)
+    if verification.problems:
+        raise InputError(
+            "{order} is not as it was written: {problems}",
+            order=path,
+            problems=_listed(verification.problems),
+        )
+    order = verification.order
     for item in order.items:
         yield from _pieces_of_item(path, item, order.release.number)
+
+
+def _listed(problems: Sequence[Message]) -> Message:
+    """Return the first problems in a row."""
+    told = joined(problems[:_MOST_TOLD], " ")
+    more = len(problems) - _MOST_TOLD
+    if more <= 0:
+        return told
+    return Message("{told} And {more} more; verify the order.", told=told, more=more)
 
 
 def has_pieces(files: Sequence[Path]) -> bool:

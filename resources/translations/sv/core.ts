@@ -9452,6 +9452,10 @@
             <translation>{offset}: {place}, och därifrån x {x:g} mm, y {y:g} mm</translation>
         </message>
         <message>
+            <source>{order} is not as it was written: {problems}</source>
+            <translation>{order} är inte som den skrevs: {problems}</translation>
+        </message>
+        <message>
             <source>{order} {side}</source>
             <translation>{order} {side}</translation>
         </message>
@@ -10346,6 +10350,10 @@
         <message>
             <source>{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the thinnest {least:.1f} mm: the edge is thin or steep there, or no block stays beside it. Hold the piece down when it comes free, or take a larger block.</source>
             <translation>{thin} av {count} hållflikar blir tunnare än de {asked:g} mm som begärdes, den tunnaste {least:.1f} mm: kanten är tunn eller brant där, eller inget block blir kvar intill dem. Håll fast stycket när det lossnar, eller ta ett större block.</translation>
+        </message>
+        <message>
+            <source>{told} And {more} more; verify the order.</source>
+            <translation>{told} Och {more} till; kontrollera beställningen.</translation>
         </message>
         <message>
             <source>{used} of {taken} walls were used, {nearest_mm:.0f} to {farthest_mm:.0f} mm; {share:.0%} of the pattern was seen often enough.</source>

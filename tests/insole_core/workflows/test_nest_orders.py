@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
 from itertools import combinations
@@ -16,6 +17,7 @@ from read_pdf import bytes_of_pdf, text_of_pdf
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import DesignError, InputError, OutputError
+from insole_core.export.order_verification import verify_order
 from insole_core.export.paper import paragraph, write_pages
 from insole_core.export.sheet_terms import as_keyword, sheet_terms
 from insole_core.export.shop_order import (
@@ -186,17 +188,27 @@ def test_zones_for_a_slicer_are_taken_for_no_piece(printer: Printer, tmp_path: P
         list(pieces_of_files([path], "26-9"))
 
 
-@pytest.mark.parametrize("name", ["left heel-right.stl", "left.stl"])
-def test_the_side_is_the_one_that_the_order_says(name: str, tmp_path: Path) -> None:
-    """The pseudonym of the patient is part of the name, and may hold the word of the other side."""
+def order_of_right_piece(name: str, tmp_path: Path) -> None:
     write_solids([SolidPart(box(), "insole")], tmp_path / name)
     digest, size = sha256_of(tmp_path / name), (tmp_path / name).stat().st_size
     file = OrderedFile(name, "solid", (Side.RIGHT,), digest, size)
     item = OrderItem("left heel", "insole", {Side.RIGHT: "EVA"}, OrderTerms(), (file,))
     order = ShopOrder(Release("26-5"), "2026-11-20T12:00:00+00:00", "Insole Studio", (item,))
     write_shop_order(order, tmp_path / ORDER_FILE)
+
+
+@pytest.mark.parametrize("name", ["left heel-right.stl", "heel.stl"])
+def test_the_side_is_the_one_that_the_order_says(name: str, tmp_path: Path) -> None:
+    """The pseudonym of the patient is part of the name, and may hold the word of the other side."""
+    order_of_right_piece(name, tmp_path)
     (piece,) = pieces_of_order(tmp_path)
     assert (piece.name, piece.material) == ("26-5 left heel right", "EVA")
+
+
+def test_a_file_named_after_the_other_foot_is_refused(tmp_path: Path) -> None:
+    order_of_right_piece("left.stl", tmp_path)
+    with pytest.raises(InputError, match=r"named after the left foot, and order\.json has it for"):
+        list(pieces_of_order(tmp_path))
 
 
 def test_single_files_lie_on_the_block_as_often_as_their_sheet_says(tmp_path: Path) -> None:
@@ -316,6 +328,24 @@ def test_a_file_that_was_changed_is_refused(orders: list[Path], tmp_path: Path) 
     content[-10] ^= 1
     solid.write_bytes(content)
     with pytest.raises(InputError, match="has been changed since the order was written"):
+        list(pieces_of_order(folder))
+
+
+def test_an_order_is_refused_in_the_sentences_of_its_verification(
+    orders: list[Path], tmp_path: Path
+) -> None:
+    folder = tmp_path / "changed"
+    shutil.copytree(orders[1], folder)
+    text = (folder / ORDER_FILE).read_text()
+    (folder / ORDER_FILE).write_text(text.replace('"quantity": 2', '"quantity": 20'))
+    (problem,) = verify_order(folder).problems
+    assert "quantities, materials, texts or names in it may be wrong" in problem
+    with pytest.raises(InputError) as raised:
+        list(pieces_of_order(folder))
+    assert str(raised.value) == f"{folder} is not as it was written: {problem}"
+    for number in range(6):
+        (folder / f"{number}.txt").write_text("")
+    with pytest.raises(InputError, match=r"3\.txt is not .* And 2 more; verify the order\."):
         list(pieces_of_order(folder))
 
 
