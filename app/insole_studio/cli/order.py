@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Iterator
 from datetime import datetime
@@ -17,13 +18,15 @@ from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import Command, Step, add_steps, day, whole
 from insole_studio.cli.order_nest import NEST
-from insole_studio.cli.path_arguments import OutputPath
+from insole_studio.cli.path_arguments import OutputPath, require_each_once
 from insole_studio.cli.records.arguments import add_language, wording_of
 
 if TYPE_CHECKING:
     from insole_core.solids.shop import Shop
     from insole_core.workflows.make_order import OrderChoice
     from insole_core.workflows.order_package import PackedItem
+
+_ENDING_OF_A_FILE = re.compile(r"\.(?!zip$)(?=\w*[a-z])\w{2,6}")
 
 NAME = "order"
 HELP = "write an order to a shop, verify one that arrived, or nest several on one block"
@@ -80,6 +83,8 @@ def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
 
     if arguments.add and len(arguments.cases) > 1:
         raise UsageError("--add belongs to one case, and several are named; write an order each.")
+    _check_out(arguments.out)
+    require_each_once(arguments.cases, "order more of a case with --quantity")
     now = datetime.now().astimezone()
     terms = _terms(arguments)
     terms.check(now.date())
@@ -93,6 +98,14 @@ def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
     )  # fmt: skip
     count = len(order.files)
     progress.step(1.0, f"Done: order {number} with {count} files in {arguments.out}")
+
+
+def _check_out(path: Path) -> None:
+    """Refuse to make a folder where the name is that of a file."""
+    if _ENDING_OF_A_FILE.fullmatch(path.suffix.lower()) and not path.is_dir():
+        raise UsageError(
+            f"--out is {path}, and an order is a folder or a .zip file; name one of them."
+        )
 
 
 def _released_by(arguments: argparse.Namespace) -> str:

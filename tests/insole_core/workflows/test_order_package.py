@@ -497,3 +497,35 @@ def test_several_patients_without_pseudonym_are_told_apart_by_their_places(
         assert "a.insole is 26-8-1 in the order.\n" in told
         assert "b.insole is 26-8-2 in the order.\n" in told
     assert [piece.name for piece in pieces_of_order(out)] == ["26-8-1 left", "26-8-2 left"]
+
+
+def test_a_case_that_is_named_twice_is_refused(
+    unknown: list[Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(unknown[0].parent)
+    again = ["a.insole", str(unknown[0])]
+    assert run(["order", "create", *again, "--out", str(tmp_path / "o.zip")]) != 0
+    told = capsys.readouterr().err.splitlines()[-1]
+    assert f"{unknown[0]} is named twice; order more of a case with --quantity." in told
+    assert not (tmp_path / "o.zip").exists()
+
+
+@pytest.mark.parametrize("name", ["o8.txt", "o.ZIPX", "case.insole", "o.7z", "o.stl"])
+def test_an_order_is_no_file_of_another_ending(
+    name: str, unknown: list[Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / name
+    assert run(["order", "create", str(unknown[0]), "--out", str(out)]) != 0
+    assert "an order is a folder or a .zip file; name one of them" in capsys.readouterr().err
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("name", ["26.11", "week.4", "o.ZIP", "Dr. Berg"])
+def test_an_order_is_an_archive_or_any_folder(
+    name: str, unknown: list[Path], tmp_path: Path
+) -> None:
+    assert run(["order", "create", str(unknown[0]), "--out", str(tmp_path / name)]) == 0
+    assert (tmp_path / name).is_file() == (name == "o.ZIP")
