@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 
 from insole_core.calibration.boards import board
+from insole_core.compare import comparison
 from insole_core.foot.foot import Foot
 from insole_core.insole import build
 from insole_core.insole.build import Insole, build_insole
@@ -45,7 +46,7 @@ from insole_core.workflows import (
 KEPT, KEPT_FEET, KEPT_VIEWS, KEPT_SMALL = 4, 3, 6, 256
 """Results of each kind; feet, with what is derived from each of them, which is some 50 MB; views of
 sessions, some 8 MB each; and corners of boards, of which a sensor's pictures show many."""
-OF_FEET = frozenset({"derived", "place_foot", "find_foot", "find_imprints"})
+OF_FEET = frozenset({"derived", "place_foot", "find_foot", "find_imprints", "recognised_foot"})
 OF_VIEWS = frozenset({"measure_view"})
 SMALL = frozenset({"_chequerboard_corners"})
 
@@ -56,6 +57,7 @@ SHARED = (
     (reconstruction, "prepare"),
     (reconstruction, "fuse"),
     (MeasuredView, "_registered"),
+    (comparison, "recognised_foot"),
     (compare_case, "compare_surfaces"),
     (order, "simplify"),
     (order, "check_solid"),
