@@ -189,7 +189,7 @@ def _closed_once(close: Callable[..., ClosedInsole]) -> Callable[..., ClosedInso
 
 def _content(*values: Any) -> bytes:
     """Return a digest that is equal for equal values, however they were made."""
-    digest = hashlib.blake2b(digest_size=16)
+    digest = hashlib.sha256()  # processors have it built in: half the time of blake2b
     _add(digest, values)
     return digest.digest()
 
