@@ -48,6 +48,13 @@ _DECIMAL_POINT: Final = "."
 _RIM_MM: Final = 4.0
 """Width of the rim of a section, which is dimensioned by its height."""
 
+_TABLE_TOP_MM: Final = 8.0
+_BELOW_HEADING_MM: Final = 2.0
+_OVER_TITLE_MM: Final = 12.0
+"""Between the table and the title block, for the scale bar."""
+
+_Row = tuple[str, str, str]
+"""Of the table of the elements: side where it begins, number where an element begins, text."""
 View = Literal["top", "bottom"]
 VIEWS: Final[tuple[View, View]] = ("top", "bottom")
 
@@ -237,6 +244,24 @@ class _Page(Flowable):  # type: ignore[misc, unused-ignore]
     def _draw_content(self, pen: _Pen) -> None:
         raise NotImplementedError
 
+    def _draw_table(self, pen: _Pen, top: float, rows: Sequence[_Row]) -> None:
+        """List elements by the numbers of the top views."""
+        pen.text(6, top, self._word("posts and pads"), bold=True)
+        top -= _BELOW_HEADING_MM
+        right = self._width_mm - 6
+        pen.line_width(_FINE_PT)
+        for number, (side, label, text) in enumerate(rows):
+            y = top - _ROW_MM * (number + 1)
+            if side or not number:
+                pen.line((6, y + _ROW_MM), (right, y + _ROW_MM))
+            pen.text(7, y + 1, side)
+            pen.text(28, y + 1, label, right=True)
+            pen.text(31, y + 1, text)
+        bottom = top - _ROW_MM * len(rows)
+        pen.line((6, bottom), (right, bottom))
+        for x in (6.0, 22.0, 29.5, right):
+            pen.line((x, top), (x, bottom))
+
     def _word(self, word: str) -> str:
         return self._words.get(word, word)
 
@@ -257,12 +282,16 @@ class ViewsPage(_Page):
         self._scale = _views_scale(pieces, size_mm)
         scale = _scale_text(self._scale, words)
         super().__init__(*size_mm, {**title, "scale": scale}, words)
+        self._low = self._height_mm - 18 - max(one.size_mm[1] for one in pieces) / self._scale
+        self._remark_lines = self._wrapped_remarks()
+        remarks_mm = _ROW_MM * (len(self._remark_lines) + 1.5) if self._remark_lines else 0.0
+        self._table_top = self._low - 61 - remarks_mm
+        self._rows, self.rest = self._fitting(self._all_rows())
 
     def _draw_content(self, pen: _Pen) -> None:
         count = 2 * len(self._pieces)
         column = self._width_mm / count
-        longest = max(piece.size_mm[1] for piece in self._pieces) / self._scale
-        low = self._height_mm - 18 - longest
+        low = self._low
         cells = [(piece, view) for piece in self._pieces for view in VIEWS]
         for number, (piece, view) in enumerate(cells):
             centre = (number + 0.5) * column
@@ -276,50 +305,43 @@ class ViewsPage(_Page):
             for number, piece in enumerate(self._pieces):
                 self._draw_profile(pen, piece, medial, ((number + 0.5) * half, base))
         pen.scale_bar(6, _TITLE_MM + 5, 50, self._scale)
-        self._draw_table(pen, self._draw_remarks(pen, low - 61))
+        self._draw_remarks(pen, low - 61)
+        self._draw_table(pen, self._table_top, self._rows)
 
-    def _draw_remarks(self, pen: _Pen, top: float) -> float:
-        """Write the remarks of the order; return where the table begins below them."""
+    def _wrapped_remarks(self) -> list[str]:
+        """Return the lines of the remarks of the order, as many as find room."""
         lines = [
             part
             for line in self._remarks.splitlines()
             for part in _wrapped(line, self._width_mm - 14)
         ]
-        if not lines:
-            return top
         if len(lines) > _MOST_REMARKS:
             lines = [*lines[: _MOST_REMARKS - 1], "… " + self._word("see job sheet")]
-        pen.text(6, top, self._word("remarks"), bold=True)
-        for line in lines:
-            top -= _ROW_MM
-            pen.text(7, top, line)
-        return top - 1.5 * _ROW_MM
+        return lines
 
-    def _draw_table(self, pen: _Pen, top: float) -> None:
-        """List the elements by the numbers of the top views; what finds no room is counted."""
-        pen.text(6, top, self._word("posts and pads"), bold=True)
-        rows: list[tuple[str, str, str]] = []
+    def _draw_remarks(self, pen: _Pen, top: float) -> None:
+        if self._remark_lines:
+            pen.text(6, top, self._word("remarks"), bold=True)
+        for number, line in enumerate(self._remark_lines, 1):
+            pen.text(7, top - _ROW_MM * number, line)
+
+    def _fitting(self, rows: list[_Row]) -> tuple[list[_Row], list[_Row]]:
+        """Return the rows of the table, and those that find no room above the title block."""
+        room = _rows_below(self._table_top)
+        if len(rows) <= room:
+            return rows, []
+        kept = max(room - 1, 0)
+        see = "… " + self._word("see next sheet")
+        return [*rows[:kept], ("", "", see)], _going_on(rows, kept)
+
+    def _all_rows(self) -> list[_Row]:
+        """Return side, number and text of the elements by the numbers of the top views."""
+        rows: list[_Row] = []
         for piece in self._pieces:
             side = self._word(str(piece.side))
             lines = list(self._lines(piece.elements)) or [("–", "–")]
             rows += [(side if not number else "", *line) for number, line in enumerate(lines)]
-        top -= 2.0
-        room = int((top - _TITLE_MM - 12) / _ROW_MM)
-        if len(rows) > room:
-            rows = [*rows[: max(room - 1, 0)], ("", "", f"+{len(rows) - room + 1}")]
-        right = self._width_mm - 6
-        pen.line_width(_FINE_PT)
-        for number, (side, label, text) in enumerate(rows):
-            y = top - _ROW_MM * (number + 1)
-            if side or not number:
-                pen.line((6, y + _ROW_MM), (right, y + _ROW_MM))
-            pen.text(7, y + 1, side)
-            pen.text(28, y + 1, label, right=True)
-            pen.text(31, y + 1, text)
-        bottom = top - _ROW_MM * len(rows)
-        pen.line((6, bottom), (right, bottom))
-        for x in (6.0, 22.0, 29.5, right):
-            pen.line((x, top), (x, bottom))
+        return rows
 
     def _lines(self, elements: Sequence[Element]) -> Iterator[tuple[str, str]]:
         """Yield the lines of the table: the number at the first one of each element."""
@@ -398,6 +420,29 @@ class ViewsPage(_Page):
         heel = at[0] - sign * half
         top_at = at[1] + piece.size_mm[2] / scale
         pen.dimension((heel, at[1]), (heel, top_at), piece.size_mm[2], sign * 4.0)
+
+
+class ElementsPage(_Page):
+    """The elements that find no room on the page of the views."""
+
+    def __init__(
+        self,
+        rows: Sequence[_Row],
+        size_mm: tuple[float, float],
+        title: Mapping[str, str],
+        words: Mapping[str, str],
+    ) -> None:
+        super().__init__(*size_mm, title, words)
+        self._rows = rows
+
+    @classmethod
+    def parts(cls, rows: Sequence[_Row], size_mm: tuple[float, float]) -> list[Sequence[_Row]]:
+        """Divide rows into those of one page each."""
+        room = _rows_below(size_mm[1] - _TABLE_TOP_MM)
+        return [_going_on(rows, first)[:room] for first in range(0, len(rows), room)]
+
+    def _draw_content(self, pen: _Pen) -> None:
+        self._draw_table(pen, self._height_mm - _TABLE_TOP_MM, self._rows)
 
 
 class SectionsPage(_Page):
@@ -563,6 +608,18 @@ def _edge_heights(top_mm: FloatArray, *, from_right: bool) -> FloatArray:
 def _scale_text(scale: float, words: Mapping[str, str]) -> str:
     sign = words.get(_DECIMAL_POINT, _DECIMAL_POINT)
     return f"1:{scale:g}".replace(_DECIMAL_POINT, sign)
+
+
+def _rows_below(top_mm: float) -> int:
+    """Return how many rows of a table find room below its heading."""
+    return int((top_mm - _BELOW_HEADING_MM - _TITLE_MM - _OVER_TITLE_MM) / _ROW_MM)
+
+
+def _going_on(rows: Sequence[_Row], first: int) -> list[_Row]:
+    """Return the rows of a table from one on, which tells its side again."""
+    side = next(side for side, _, _ in reversed(rows[: first + 1]) if side)
+    _, label, text = rows[first]
+    return [(side, label, text), *rows[first + 1 :]]
 
 
 def _draw_title_block(

@@ -36,7 +36,7 @@ from reportlab.platypus import (
 
 from insole_core.errors import InputError
 from insole_core.export.height_picture import HeightPicture, MappedHeights
-from insole_core.export.insole_drawing import DrawnInsole, SectionsPage, ViewsPage
+from insole_core.export.insole_drawing import DrawnInsole, ElementsPage, SectionsPage, ViewsPage
 from insole_core.export.lettering import as_written, font_path
 from insole_core.files.atomic import replacing_file
 from insole_core.geometry.arrays import FloatArray
@@ -221,16 +221,20 @@ def _drawing(
     ]
     made: list[Callable[[Facts], Flowable]] = []
     if pieces:
-        remarks = sheets[0].remarks
-        made.append(
-            lambda count: ViewsPage(
-                pieces, _DRAWING_MM, {**titles[0], **count}, words, remarks=remarks
-            )
-        )
+        views = partial(ViewsPage, pieces, _DRAWING_MM, words=words, remarks=sheets[0].remarks)
+        rest = ElementsPage.parts(views(title={}).rest, _DRAWING_MM)
+        made.append(lambda count: views(title={**titles[0], **count}))
+        made += [partial(_elements_page, rows, titles[0], words) for rows in rest]
     for sheet, title in zip(sheets, titles, strict=True):
         if sheet.drawn is not None:
             made.append(partial(_sections_page, sheet.drawn, title, words))
     return [[make({"sheet": f"{number} / {len(made)}"})] for number, make in enumerate(made, 1)]
+
+
+def _elements_page(
+    rows: Sequence[tuple[str, str, str]], title: Facts, words: Facts, count: Facts
+) -> Flowable:
+    return ElementsPage(rows, _DRAWING_MM, {**title, **count}, words)
 
 
 def _sections_page(drawn: DrawnInsole, title: Facts, words: Facts, count: Facts) -> Flowable:

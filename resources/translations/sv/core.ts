@@ -7856,6 +7856,10 @@
             <translation>se arbetsbladet</translation>
         </message>
         <message>
+            <source>see the next sheet</source>
+            <translation>se nästa blad</translation>
+        </message>
+        <message>
             <source>seed of the foot</source>
             <translation>fotens frö</translation>
         </message>

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from read_pdf import paths_of_pdf
+from read_pdf import bytes_of_pdf, paths_of_pdf, text_of_pdf
 from reportlab.lib.units import mm
 from reportlab.pdfgen.canvas import Canvas
 
-from insole_core.export.insole_drawing import SCALES, DrawnInsole, Section, SectionsPage, ViewsPage
+from insole_core.export.insole_drawing import (
+    SCALES,
+    DrawnInsole,
+    Element,
+    Section,
+    SectionsPage,
+    ViewsPage,
+)
+from insole_core.export.paper import JobSheet, write_job_sheet
 from insole_core.geometry.height_map import HeightMap
 from insole_core.geometry.side import Side
 
@@ -72,3 +82,40 @@ def test_what_is_drawn_at_one_to_one_has_its_true_size(tmp_path: Path) -> None:
     assert count("SectionsPage", 140, 11) == 1
     assert count("SectionsPage", 10, 1.4) == 5, "the fields of the bar of 50 mm"
     assert max(count("ViewsPage", 10 / scale, 1.4) for scale in SCALES) == 5
+
+
+@pytest.mark.parametrize(
+    ("count", "remarks", "sheets", "goes_on"),
+    [(3, "", 3, []), (17, "", 4, ["right"]), (40, "", 5, ["left", "right"]),
+     (90, "cork\n", 7, ["left", "left", "right", "right"])],
+)  # fmt: skip
+def test_all_that_is_prescribed_stands_on_the_drawing(
+    tmp_path: Path, count: int, remarks: str, sheets: int, goes_on: list[str]
+) -> None:
+    """What finds no room beside the views goes on, with its side, on the sheets that follow."""
+    file, path = tmp_path / "a.stl", tmp_path / "sheet.pdf"
+    file.write_bytes(b"solid")
+    pieces = [
+        replace(
+            drawn_box(),
+            side=side,
+            elements=tuple(Element(n, "", f"{side} pad {n} ends") for n in range(1, count + 1)),
+        )
+        for side in Side
+    ]
+    drawn = [
+        JobSheet({}, {}, {}, (), file, "a.stl", drawn=piece, remarks=remarks) for piece in pieces
+    ]
+    write_job_sheet(drawn, path, pieces=pieces)
+    lines = text_of_pdf(path).splitlines()
+    for piece in pieces:
+        for element in piece.elements:
+            assert lines.count(element.text) == 1, element
+    # The views, the sheets on which the table goes on, and the sections of each piece.
+    numbers = [lines.index(f"{n} / {sheets}") for n in range(1, sheets + 1)]
+    assert numbers == sorted(numbers)
+    assert len(re.findall(rb"/Type /Page\b", bytes_of_pdf(path))) == sheets + len(pieces)
+    assert sum(line.endswith("see the next sheet") for line in lines) == bool(goes_on)
+    tables = [at for at, line in enumerate(lines) if line == "Posts, pads and corrections"]
+    assert len(tables) == 1 + len(goes_on)
+    assert [lines[at + 1] for at in tables] == ["left", *goes_on]
