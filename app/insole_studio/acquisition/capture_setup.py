@@ -268,7 +268,9 @@ def own_setup(stored: SensorFiles, system_file: Path | None = None) -> CaptureSe
     return CaptureSetup(single, stored, other=pair)
 
 
-def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
+def recorded_setup(
+    stored: SensorFiles, session: Session, system_file: Path | None = None
+) -> CaptureSetup:
     """Return the setup in which a session was recorded, for its emulated sensors.
 
     Parameters
@@ -277,6 +279,14 @@ def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
         Calibrations kept on this computer.
     session
         The emulated session.
+    system_file
+        File of another reference system, which has a frame of its own: what lies in the recorded
+        one, the box around the foot and the faces that a view sees, is not taken over.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read.
     """
     manifest = session.manifest
     recorded = {view.name: view.sensor for view in session.views}
@@ -287,10 +297,15 @@ def recorded_setup(stored: SensorFiles, session: Session) -> CaptureSetup:
         for view in session.views
         if view.dots is not None
     }
-    return CaptureSetup(
+    setup = CaptureSetup(
         manifest.reference_system,
         stored,
         manifest.volume_of_interest,
         recorded,
         recorded_dots=dots,
     )
+    if system_file is None:
+        return setup
+    system = load_reference_system(system_file)
+    faces = {name: replace(one, faces=view_faces(name, system)) for name, one in recorded.items()}
+    return replace(setup, system=system, volume_of_interest=None, recorded=faces)

@@ -258,7 +258,7 @@ class SensorSource:
         A recorded session whose frames are played as live sensors, or recordings of RealSense
         cameras (``.db3``, or a folder of them); None for real ones.
     system_file
-        File of the reference system; None selects the bundled one.
+        File of the reference system; None selects the bundled one, or that of the session.
     warm_up_file
         Where it is kept how long each sensor has been on; None keeps nothing.
     camera
@@ -332,7 +332,7 @@ class SensorSource:
         InputError
         """
         if self.session is not None:
-            return recorded_setup(self.stored, self.session)
+            return recorded_setup(self.stored, self.session, self.system_file)
         return own_setup(self.stored, self.system_file)
 
     def usual_views(self) -> tuple[tuple[str, str], ...]:

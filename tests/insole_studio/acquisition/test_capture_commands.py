@@ -10,12 +10,14 @@ import shutil
 import signal
 from collections.abc import Iterator
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from capture_samples import color_mosaic, depth_frames
 
+from insole_core.calibration.markers.reference_file import save_reference_system
 from insole_core.errors import OutputError
 from insole_core.recording.reader import read_session
 from insole_studio.acquisition import draft
@@ -84,6 +86,19 @@ def test_a_session_comes_through_bit_for_bit(name: str, shared_data: Path, tmp_p
     facts = came.manifest.extra["capture"]
     assert {facts[view]["calibration"] for view in facts} == {"recording"}
     assert not (tmp_path / "drafts").exists() or not list((tmp_path / "drafts").iterdir())
+
+
+def test_a_reference_system_that_is_named_is_recorded_with_emulated_sensors(
+    small_session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, file = tmp_path / "session.zip", tmp_path / "own.json"
+    system = read_session(small_session).manifest.reference_system
+    save_reference_system(replace(system, name="own"), file)
+    call = ["capture", "--emulate", str(small_session), "--frames", "2", "--out", str(out)]
+    assert run([*call, "--reference", str(tmp_path / "nothing.json")]) != 0
+    assert "nothing.json" in capsys.readouterr().err
+    assert run([*call, "--reference", str(file)]) == 0
+    assert read_session(out).manifest.reference_system.name == "own"
 
 
 def test_plan_and_condition_are_the_callers(small_session: Path, tmp_path: Path) -> None:

@@ -8,12 +8,14 @@ import pytest
 from capture_samples import Bench
 
 from insole_core.calibration.markers.reference_file import save_reference_system
-from insole_core.errors import CalibrationError
+from insole_core.errors import CalibrationError, InputError
 from insole_core.recording.reader import read_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
 from insole_core.sensing.sensor import nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_studio.acquisition.capture_plan import view_faces
 from insole_studio.acquisition.capture_setup import own_setup, recorded_setup
+from insole_studio.acquisition.sensor_source import SensorSource
 
 
 @pytest.fixture
@@ -71,3 +73,18 @@ def test_an_own_reference_system_is_read(store: SensorStore, tmp_path: Path) -> 
     usual = own_setup(store).system
     save_reference_system(replace(usual, name="own"), tmp_path / "own.json")
     assert own_setup(store, tmp_path / "own.json").system.name == "own"
+
+
+def test_another_reference_system_takes_the_place_of_the_recorded_one(
+    store: SensorStore, small_session: Path, tmp_path: Path
+) -> None:
+    session, file = read_session(small_session), tmp_path / "own.json"
+    save_reference_system(replace(session.manifest.reference_system, name="own"), file)
+    source = SensorSource(store, small_session, file)
+    setup = source.setup()
+    assert setup.system.name == "own"
+    assert setup.volume_of_interest is None, "that of the recording is in another frame"
+    for view in session.views:
+        assert setup.recorded[view.name].faces == view_faces(view.name, setup.system)
+    with pytest.raises(InputError, match=r"nothing\.json"):
+        replace(source, system_file=tmp_path / "nothing.json").setup()
