@@ -21,7 +21,14 @@ from sqlalchemy.pool import QueuePool
 from insole_core.errors import RecordsError
 from insole_core.messages import Message
 from insole_core.records.checked_values import NoValue
-from insole_core.records.database_errors import DamagedDatabase, busy, described, unreadable
+from insole_core.records.content_store import IDENTITY_FILE
+from insole_core.records.database_errors import (
+    DamagedDatabase,
+    busy,
+    damaged,
+    described,
+    unreadable,
+)
 from insole_core.records.head_witness import HeadWitness
 from insole_core.records.place import RecordsPlace
 
@@ -202,6 +209,32 @@ class Database:
         if isinstance(error, DamagedDatabase):
             self.problem = error.message
         return error
+
+
+def check_not_lost(place: RecordsPlace) -> None:
+    """Refuse a local place whose database is gone or empty, beside the files of its record.
+
+    Only a database with tables gets files beside it, so that these are proof of it.
+
+    Raises
+    ------
+    RecordsError
+    """
+    if not place.is_local or not (place.contents / IDENTITY_FILE).exists():
+        return
+    file = place.database_file
+    if not file.exists():
+        raise RecordsError(
+            "The database {file} is missing, but the files of the record beside it are there; "
+            "restore the record from a backup, or bring the database back to its place.",
+            file=file,
+        )
+    if not any(map(_has_bytes, (file, file.with_name(f"{file.name}-wal")))):
+        raise damaged(place)
+
+
+def _has_bytes(path: Path) -> bool:
+    return path.exists() and path.stat().st_size > 0
 
 
 def upsert(

@@ -141,6 +141,11 @@ def described(place: RecordsPlace, error: DBAPIError) -> RecordsError:
     return kind(sentence, place=place.name)
 
 
+def damaged(place: RecordsPlace) -> DamagedDatabase:
+    """Return the sentence for a database that is damaged."""
+    return DamagedDatabase(_DAMAGED, place=place.name)
+
+
 def busy(place: RecordsPlace) -> Unreachable:
     """Return the sentence for a database whose connections are all in use."""
     return Unreachable(_BUSY, place=place.name)

@@ -10,7 +10,7 @@ from insole_core.errors import RecordsError
 from insole_core.messages import Message
 from insole_core.records.backup.back_up import key_in, last_backup_at
 from insole_core.records.backup.backup_key import BackupKey
-from insole_core.records.database import Database
+from insole_core.records.database import Database, check_not_lost
 from insole_core.records.migrate import SCHEMA, check_schema, schema_of
 from insole_core.records.place import RecordsPlace
 from insole_core.records.sample_patient import count_patients
@@ -68,8 +68,9 @@ def look_at_place(place: RecordsPlace) -> PlaceReport:
     Unreachable
         When the database does not answer.
     RecordsError
-        When it refuses the user, is damaged, or comes from a newer program.
+        When it refuses the user, is damaged, has lost its database, or comes from a newer program.
     """
+    check_not_lost(place)
     if place.is_local and not place.database_file.exists():
         return PlaceReport(None)
     database = Database(place, problem=_ONLY_LOOKS)

@@ -22,9 +22,9 @@ from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.captures import Captures
 from insole_core.records.clinic import ClinicSettings, setting_of, write_setting
-from insole_core.records.content_store import IDENTITY_FILE, IDENTITY_VALUE, ContentStore
+from insole_core.records.content_store import IDENTITY_VALUE, ContentStore
 from insole_core.records.context import RecordsContext
-from insole_core.records.database import Database
+from insole_core.records.database import Database, check_not_lost
 from insole_core.records.database_errors import DamagedDatabase
 from insole_core.records.deleted_text import finish_erasing
 from insole_core.records.migrate import SCHEMA, check_schema, keep_copy, migrate, schema_of
@@ -160,8 +160,8 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
     OutputError
         When a new one cannot be made.
     """
+    check_not_lost(place)
     if place.is_local and not place.database_file.exists():
-        _check_never_there(place)
         _make_file(place.database_file)
     database = Database(place, problem=_why_read_only(place))
     try:
@@ -204,16 +204,6 @@ def _migrate(database: Database) -> None:
 
 def _keep(database: Database, connection: Connection, found: str) -> None:
     database.upgraded_from = keep_copy(database, connection, found)
-
-
-def _check_never_there(place: RecordsPlace) -> None:
-    """Refuse to begin an empty record beside the files of one that is gone."""
-    if (place.contents / IDENTITY_FILE).exists():
-        raise RecordsError(
-            "The database {file} is missing, but the files of the record beside it are there; "
-            "restore the record from a backup, or bring the database back to its place.",
-            file=place.database_file,
-        )
 
 
 def _make_file(path: Path) -> None:

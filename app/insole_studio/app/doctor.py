@@ -254,10 +254,7 @@ class Doctor:
 
         location = self._location or location_of_window(self._paths)
         place = location.place()
-        if not location.is_shared and not place.database_file.exists():
-            yield Message("none yet"), ""
-            return
-        if not location.is_shared:
+        if not location.is_shared and place.database_file.exists():
             yield _examined_file(place.database_file)
         try:
             report = look_at_place(place)

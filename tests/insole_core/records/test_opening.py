@@ -25,11 +25,12 @@ from insole_core.records import migrate as migrate_module
 from insole_core.records import records as open_module
 from insole_core.records.author import Role
 from insole_core.records.clinic import setting_of, write_setting
-from insole_core.records.database import Database
+from insole_core.records.database import Database, check_not_lost
 from insole_core.records.database_errors import DamagedDatabase, FullDatabase, described
 from insole_core.records.migrate import SCHEMA, schema_of
 from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
+from insole_core.records.place_check import look_at_place
 from insole_core.records.records import open_records
 from insole_core.records.row_report import verify_rows
 from insole_core.records.schema import metadata
@@ -233,6 +234,23 @@ def test_a_record_whose_database_is_gone_is_not_begun_anew(
     with pytest.raises(RecordsError, match="is missing, but the files of the record"):
         open_records(local_place, ANNA)
     assert not local_place.database_file.exists()
+
+
+def test_a_database_cut_to_nothing_is_damaged_and_no_new_one(local_place: RecordsPlace) -> None:
+    open_records(local_place, ANNA).close()
+    local_place.database_file.write_bytes(b"")
+    for look in (lambda: open_records(local_place, ANNA), lambda: look_at_place(local_place)):
+        with pytest.raises(DamagedDatabase, match="is damaged; restore the record from a backup"):
+            look()
+    assert local_place.database_file.read_bytes() == b""
+
+
+def test_a_database_that_is_in_its_journal_only_is_no_lost_one(local_place: RecordsPlace) -> None:
+    """As another program has just begun it; SQLite itself says what it is."""
+    open_records(local_place, ANNA).close()
+    local_place.database_file.write_bytes(b"")
+    local_place.database_file.with_name("records.sqlite3-wal").write_bytes(b"pages")
+    check_not_lost(local_place)
 
 
 @pytest.mark.parametrize("content", [b"no database at all" * 100, b"SQLite format 3\x00" * 300])

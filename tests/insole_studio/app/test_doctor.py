@@ -98,6 +98,10 @@ def test_a_damaged_record_is_told_and_a_whole_one_is_not(paths: UserPaths) -> No
     assert examined(paths)["Record"][0].advice
     database.write_bytes(b"no database" * 1000)
     assert examined(paths)["Record"][0].state == "cannot be examined"
+    database.write_bytes(b"")
+    assert examined(paths)["Record"][-1].state == "cannot be opened"
+    database.unlink()
+    assert "is missing, but the files" in str(examined(paths)["Record"][-1].advice)
 
 
 def test_no_name_of_a_patient_is_in_the_report(

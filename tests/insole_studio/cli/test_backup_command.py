@@ -106,6 +106,20 @@ def test_what_is_wrong_is_the_last_line_and_the_exit_code(
 
 
 @pytest.mark.parametrize(
+    "command", [["list"], ["verify"], ["backup", "b", "--recipient", str(IDENTITY.to_public())]]
+)
+def test_a_database_cut_to_nothing_is_refused_as_a_damaged_one(
+    record: Path, command: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    (record / "records.sqlite3").write_bytes(b"")
+    assert run(["records", *command]) == 1
+    assert "is damaged; restore the record" in capsys.readouterr().err.splitlines()[-1]
+    assert (record / "records.sqlite3").read_bytes() == b""
+
+
+@pytest.mark.parametrize(
     ("arguments", "sentence", "code"),
     [
         (["verify", "--record", "nowhere"], "does not exist", 2),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
@@ -122,15 +123,28 @@ def test_a_damaged_record_with_accounts_is_restored_before_signing_in(
     assert not record.is_read_only
 
 
-def test_a_missing_database_is_told_and_restored(
-    backed_up: Application, secret: str, rest: Callable[[], None], qtbot: QtBot
+@pytest.mark.parametrize(
+    ("lose", "told"),
+    [
+        (Path.unlink, "is missing, but the files of the record beside it are there"),
+        (lambda file: os.truncate(file, 0), "is damaged; restore the record from a backup"),
+    ],
+    ids=["gone", "empty"],
+)
+def test_a_lost_database_is_told_and_restored(
+    backed_up: Application,
+    secret: str,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+    lose: Callable[[Path], None],
+    told: str,
 ) -> None:
     record = backed_up.services.clinic
     record.let_go()
-    (backed_up.services.paths.records_folder / DATABASE_FILE).unlink()
+    lose(backed_up.services.paths.records_folder / DATABASE_FILE)
     reopen(backed_up, qtbot, RecordState.REFUSED)
     page = start_page(backed_up)
-    assert "is missing, but the files of the record beside it are there" in page.message.text()
+    assert told in page.message.text()
     assert not page.search.isEnabled()
     page.remedies["restore_record"].click()
     restore(backed_up, secret, rest)
