@@ -17,6 +17,7 @@ from insole_core.geometry.arrays import (
     IndexArray,
     IntArray,
 )
+from insole_core.geometry.lengths import lengths
 from insole_core.geometry.transforms import transform
 
 _Matrix: TypeAlias = "scipy.sparse.csr_array[np.float64]"
@@ -208,7 +209,7 @@ class TriangleMesh:
     @cached_property
     def triangle_areas_mm2(self) -> FloatArray:
         """(m,) areas."""
-        return np.asarray(np.linalg.norm(self._triangle_cross, axis=1) / 2)
+        return np.asarray(lengths(self._triangle_cross) / 2)
 
     @cached_property
     def vertex_normals(self) -> FloatArray:
@@ -338,5 +339,5 @@ class TriangleMesh:
 
 def _unit(vectors: FloatArray) -> FloatArray:
     """Scale vectors (n, 3) to length 1; those without length stay."""
-    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    length = lengths(vectors)[:, None]
     return np.asarray(np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0))

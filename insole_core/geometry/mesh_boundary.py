@@ -11,6 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
+from insole_core.geometry.lengths import lengths
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.point_tree import point_tree
@@ -246,5 +247,5 @@ def _outwards(mesh: TriangleMesh, ends: IntArray, normals: FloatArray) -> FloatA
 
 
 def _unit(vectors: FloatArray) -> FloatArray:
-    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    length = lengths(vectors)[:, None]
     return np.asarray(vectors / np.maximum(length, 1e-12))

@@ -8,6 +8,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.lengths import lengths
 from insole_core.geometry.mesh import TriangleMesh
 
 _SHRINK, _GROW = 0.5, -0.52
@@ -90,7 +91,7 @@ def smoothed_normals(mesh: TriangleMesh, rounds: int) -> FloatArray:
     normals = mesh.vertex_normals
     for _ in range(rounds):
         normals = 0.3 * normals + 0.7 * (mean @ normals)
-        normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+        normals = normals / np.maximum(lengths(normals)[:, None], 1e-12)
     return normals
 
 
@@ -132,7 +133,7 @@ def without_noise(mesh: TriangleMesh) -> TriangleMesh:
 def _step_mm(mesh: TriangleMesh) -> float:
     """Return the median distance of neighbouring vertices; 0 without triangles."""
     corners = mesh.vertices[mesh.triangles]
-    steps_mm = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    steps_mm = lengths(corners - np.roll(corners, 1, axis=1))
     return float(np.median(steps_mm)) if len(steps_mm) else 0.0
 
 

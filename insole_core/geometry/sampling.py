@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
+from insole_core.geometry.lengths import lengths
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.point_tree import point_tree
 from insole_core.geometry.transforms import transform
@@ -63,8 +64,8 @@ def sample_triangles(mesh: TriangleMesh, pitch_mm: float) -> _SurfaceSamples:
     """
     corners = _longest_edge_first(mesh.vertices[mesh.triangles])
     edges = corners[:, 1:] - corners[:, :1]
-    base = np.linalg.norm(edges[:, 0], axis=1)
-    twice_area = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
+    base = lengths(edges[:, 0])
+    twice_area = lengths(np.cross(edges[:, 0], edges[:, 1]))
     height = np.divide(twice_area, base, out=np.zeros_like(base), where=base > 0)
     columns, rows = (
         np.ceil(np.maximum(length / pitch_mm, 1)).astype(np.int64) for length in (base, height)
@@ -137,7 +138,7 @@ def boundary_points(mesh: TriangleMesh, step_mm: float) -> FloatArray:
     """
     edges, sharing = mesh.links.edges
     start, end = np.moveaxis(mesh.vertices[edges[sharing == 1]], 1, 0)
-    parts = np.ceil(np.linalg.norm(end - start, axis=1) / step_mm).astype(np.int64) + 1
+    parts = np.ceil(lengths(end - start) / step_mm).astype(np.int64) + 1
     edge = np.repeat(np.arange(len(start)), parts)
     index = np.arange(len(edge)) - np.repeat(np.cumsum(parts) - parts, parts)
     share = (index + 0.5) / parts[edge]
@@ -220,7 +221,7 @@ class EvenSurface:
 
         Facets larger than about 100 mm² count as that. Of a fine surface it is the area of a cell.
         """
-        near = np.linalg.norm(self.points - point, axis=1) < _PATCH_MM
+        near = lengths(self.points - point) < _PATCH_MM
         facets, area_mm2 = self.facets[near], self.area_mm2[near]
         if len(area_mm2) == 0:
             return 0.0
@@ -274,7 +275,7 @@ class _Lattice:
         )
         means = np.stack(sums, axis=1) / area_mm2[:, None]
         points, normals = means[:, :3], means[:, 3:]
-        clear = (np.linalg.norm(normals, axis=1) > _LEAST_NORMAL) & (area_mm2 > _LEAST_MM2)
+        clear = (lengths(normals) > _LEAST_NORMAL) & (area_mm2 > _LEAST_MM2)
         facets = _unit(normals)
         smoothed = self._smoothed(occupied, facets, area_mm2)
         return points[clear], facets[clear], smoothed[clear], area_mm2[clear]
@@ -299,7 +300,7 @@ class _Lattice:
 
 
 def _unit(vectors: FloatArray) -> FloatArray:
-    return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-12))
+    return np.asarray(vectors / np.maximum(lengths(vectors)[:, None], 1e-12))
 
 
 def _rim_distance(mesh: TriangleMesh, points: FloatArray) -> FloatArray:

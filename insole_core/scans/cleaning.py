@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from insole_core.formats.texture import mean_colors
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
+from insole_core.geometry.lengths import lengths
 from insole_core.geometry.mesh import TriangleMesh
 
 _MIX = np.uint64(0x9E3779B97F4A7C15)  # odd and without pattern (Knuth's multiplicative hashing)
@@ -153,8 +154,8 @@ def _spikes(mesh: TriangleMesh) -> tuple[FloatArray, BoolArray]:
     """
     links, vertices = mesh.links, mesh.vertices
     starts, ends = links.edges[0].T
-    usual = float(np.median(np.linalg.norm(vertices[starts] - vertices[ends], axis=1)))
-    off = np.linalg.norm(links.mean @ vertices - vertices, axis=1)
+    usual = float(np.median(lengths(vertices[starts] - vertices[ends])))
+    off = lengths(links.mean @ vertices - vertices)
     middle, is_spike = vertices.copy(), np.zeros(len(vertices), dtype=bool)
     suspects = np.flatnonzero((off > usual) & ~links.is_boundary)
     if len(suspects) == 0:
@@ -166,9 +167,9 @@ def _spikes(mesh: TriangleMesh) -> tuple[FloatArray, BoolArray]:
     around = vertices[rows.indices]
     middle[involved] = np.column_stack([_medians(column, owner, degree) for column in around.T])
     radius = np.zeros(len(vertices))
-    from_middle = np.linalg.norm(around - middle[involved][owner], axis=1)
+    from_middle = lengths(around - middle[involved][owner])
     radius[involved] = _medians(from_middle, owner, degree)
-    height = np.linalg.norm(vertices - middle, axis=1)
+    height = lengths(vertices - middle)
     typical = np.zeros(len(vertices))
     typical[involved] = _medians(height[rows.indices], owner, degree)
     least = np.maximum(_LEAST_SLENDERNESS * np.maximum(radius, usual), 3 * typical)
