@@ -17,9 +17,13 @@ from insole_core.calibration.walls.disparity_fit import linear_inverse_near
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.messages import Message, joined
-from insole_core.sensing.disparity import DisparityModel, LinearInverseDisparity
+from insole_core.sensing.disparity import (
+    DisparityModel,
+    FactoryDisparity,
+    LinearInverseDisparity,
+)
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.sensing.sensor import COLOR_CAMERA, DEPTH2COLOR, DEPTH_CAMERA, Sensor
+from insole_core.sensing.sensor import BURRUS, COLOR_CAMERA, DEPTH2COLOR, DEPTH_CAMERA, Sensor
 
 Kind = Literal["depth", "color"]
 
@@ -57,6 +61,10 @@ _MOST_LEFT_SHARE = 0.02
 cameras, seen at 600 instead of 1000 mm."""
 _MOST_ERROR = (0.0, 3.0)
 """Error of a measured distance in per cent; a tape is better than 1 %."""
+_STEPS_OF_SCALE = ("disparity", "stereo")
+_COMPARED_AT_MM = np.array([600.0, 800.0, 1000.0])
+_MOST_BETWEEN_SCALES = 0.01
+"""As a share of the depth; a tape is better than 1 %."""
 _FARTHEST_RAW = 1080.0
 """A raw number at about 35 m: beyond any wall."""
 
@@ -187,6 +195,39 @@ def unusual_distances(measured: Distances) -> tuple[str, ...]:
             "The distances differ by {share:+.0%} from what a usual Kinect v1 measures; make sure "
             "that they reach from the front of the sensor to the wall.",
             share=off,
+        ),
+    )
+
+
+def find_other_scale(sensor: Sensor, after: DisparityModel) -> tuple[str, ...]:
+    """Return a warning where a new depth scale contradicts one that was calibrated before.
+
+    Both come from lengths that somebody gave: the side of a square, or distances of walls. Their
+    residuals show nothing of a wrong one.
+
+    Parameters
+    ----------
+    sensor
+        As it was before the step.
+    after
+        The new scale.
+    """
+    before = sensor.disparity
+    done = any(record.step in _STEPS_OF_SCALE for record in sensor.calibration)
+    if not done or before == BURRUS or isinstance(before, FactoryDisparity):
+        return ()
+    raw = USUAL_DEPTH.raw(_COMPARED_AT_MM)
+    shares = after.depth_mm(raw) / before.depth_mm(raw) - 1
+    worst = int(np.argmax(np.abs(shares)))
+    if abs(shares[worst]) < _MOST_BETWEEN_SCALES:
+        return ()
+    return (
+        Message(
+            "Depths at {distance_mm:.0f} mm differ by {share:+.1%} from the scale that was "
+            "calibrated before, and one of the two is wrong; measure the side of the board's "
+            "square, and the distances of the walls from the front of the sensor.",
+            distance_mm=float(_COMPARED_AT_MM[worst]),
+            share=float(shares[worst]),
         ),
     )
 

@@ -85,8 +85,8 @@ def _run_step(
     folder = keep_step(result, store, arguments.report)
     for sentence in result.sentences:
         print(sentence)
-    if result.doubt:
-        print(f"Warning: {result.doubt}", file=sys.stderr)
+    for sentence in filter(None, (result.doubt, *result.warnings)):
+        print(f"Warning: {sentence}", file=sys.stderr)
     for sentence in result.advice:
         print(f"Advice: {sentence}", file=sys.stderr)
     progress.step(1.0, f"Done: {folder}")

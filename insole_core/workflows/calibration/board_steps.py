@@ -31,7 +31,12 @@ from insole_core.calibration.boards.stereo import (
     calibrate_stereo,
 )
 from insole_core.calibration.depth_sensor import add_tilt
-from insole_core.calibration.plausibility import find_camera_misfit, find_misfit, find_shift_misfit
+from insole_core.calibration.plausibility import (
+    find_camera_misfit,
+    find_misfit,
+    find_other_scale,
+    find_shift_misfit,
+)
 from insole_core.errors import CalibrationError
 from insole_core.evaluation.alignment import Correspondence, evaluate_alignment, shift_color
 from insole_core.evaluation.calibration_sections import camera_section, stereo_section
@@ -146,7 +151,8 @@ def _from_depth(folder: Path, board: Board, sensor: Sensor, progress: Progress) 
         )
     scale = LinearInverseDisparity(calibration.values["a"], calibration.values["b"])
     doubt = find_misfit(result.sensor, board.square_mm, scale)
-    return replace(result, advice=advice, doubt=doubt)
+    warnings = find_other_scale(sensor, depth.disparity)
+    return replace(result, warnings=warnings, advice=advice, doubt=doubt)
 
 
 def _advice(
@@ -281,8 +287,8 @@ def calibrate_camera_step(
         section,
         _sentences(calibration, _WORDS[which]),
         (calibration.rms_px, "px"),
-        calibration.advice,
-        find_camera_misfit(calibration.camera, which),
+        advice=calibration.advice,
+        doubt=find_camera_misfit(calibration.camera, which),
     )
 
 

@@ -104,7 +104,8 @@ def keep_step(result: StepResult, store: SensorStore, further: Sequence[Path] = 
         When a place cannot be written.
     """
     doubt = (result.doubt,) if result.doubt else ()
-    said = dict.fromkeys((*doubt, *result.sentences, *result.section.sentences, *result.advice))
+    found = (*result.warnings, *result.sentences, *result.section.sentences)
+    said = dict.fromkeys((*doubt, *found, *result.advice))
     section = replace(result.section, sentences=tuple(said))
     report = make_report(section.title, result.sensor.serial, [section])
     done = CalibrationRecord(section.key, report.made_at, *result.residual)

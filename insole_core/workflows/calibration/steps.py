@@ -40,6 +40,8 @@ class StepResult:
         Of the report.
     sentences
         The result in plain words; the first is the most important.
+    warnings
+        Sentences on what contradicts an earlier step.
     advice
         Sentences on what would improve it.
     doubt
@@ -55,6 +57,7 @@ class StepResult:
     section: ReportSection
     sentences: tuple[str, ...]
     residual: tuple[float, Unit]
+    warnings: tuple[str, ...] = ()
     advice: tuple[str, ...] = ()
     doubt: str = ""
     reference: InfraredReference | None = None

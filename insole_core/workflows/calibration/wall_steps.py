@@ -10,6 +10,7 @@ from insole_core.calibration.boards.board import Board
 from insole_core.calibration.plausibility import (
     Distances,
     find_depth_misfit,
+    find_other_scale,
     unusual_distances,
 )
 from insole_core.calibration.walls.captures import WallCapture, check_same_device, read_captures
@@ -174,6 +175,7 @@ def calibrate_disparity_step(
             ),
         ),
         residual=(calibration.rms_mm, "mm"),
+        warnings=find_other_scale(sensor, calibration.model),
         advice=unusual_distances(measured),
         doubt=find_depth_misfit(calibration.model, measured),
     )

@@ -904,6 +904,10 @@
             <translation>Djup</translation>
         </message>
         <message>
+            <source>Depths at {distance_mm:.0f} mm differ by {share:+.1%} from the scale that was calibrated before, and one of the two is wrong; measure the side of the board's square, and the distances of the walls from the front of the sensor.</source>
+            <translation>Djup vid {distance_mm:.0f} mm avviker med {share:+.1%} från den skala som kalibrerades förut, och en av de två är fel; mät sidan på brädets ruta, och väggarnas avstånd från sensorns framsida.</translation>
+        </message>
+        <message>
             <source>Designed by</source>
             <translation>Utformad av</translation>
         </message>

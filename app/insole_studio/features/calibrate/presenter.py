@@ -308,7 +308,7 @@ class CalibratePresenter:
         self._result = result
         self._panel.show_error(result.doubt)
         question = tr("Save it, if this is what you expect.")
-        self._panel.show_next([*result.sentences, *result.advice, question])
+        self._panel.show_next([*result.warnings, *result.sentences, *result.advice, question])
         self._show_buttons()
 
     def _show_check(self, sentences: tuple[str, ...]) -> None:

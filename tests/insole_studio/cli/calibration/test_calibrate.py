@@ -31,9 +31,10 @@ from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
 from insole_core.recording.writer import write_session
 from insole_core.sensing.correction import CorrectionRecord, DisparityCorrection
+from insole_core.sensing.disparity import LinearInverseDisparity
 from insole_core.sensing.metric_depth import StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
-from insole_core.sensing.sensor import Sensor
+from insole_core.sensing.sensor import CalibrationRecord, Sensor
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.cli.main import run
 
@@ -189,6 +190,39 @@ def test_raw_number_to_mm(model: str, recorded, tmp_path: Path) -> None:
     assert sensor is not None
     raw = DISPARITY.raw(np.array([650.0, 800.0, 1000.0]))
     np.testing.assert_allclose(sensor.disparity.depth_mm(raw), [650, 800, 1000], rtol=0.003)
+
+
+def test_distances_that_contradict_the_scale_before_are_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    distances = np.array([600.0, 750.0, 900.0, 1100.0])
+    device = SimulatedDevice(np.zeros((480, 640)), disparity=USUAL_DEPTH)
+    walls = write_walls(tmp_path / "walls", device, [wall(mm) for mm in distances])
+    sensors, report = tmp_path / "own", tmp_path / "report.json"
+    for share, told in ((1.0, ""), (1.004, ""), (0.97, "-3.4%"), (0.97, ""), (1.0, "+3.1%")):
+        given = ["--distances", *map(str, share * distances), "--report", str(report)]
+        assert run(call("disparity", walls, sensors, *given)) == 0
+        error = capsys.readouterr().err
+        assert ("Warning: Depths at" in error) is bool(told)
+        assert f"differ by {told}" in error or not told
+        assert ("from the scale that was calibrated before" in report.read_text()) is bool(told)
+
+
+@pytest.mark.slow
+def test_a_board_that_contradicts_measured_walls_is_told(
+    recorded, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    store, report = SensorStore(recorded.sensors), tmp_path / "report.json"
+    scale = LinearInverseDisparity(1.04 * USUAL_DEPTH.a, 1.04 * USUAL_DEPTH.b)
+    measured = replace(kept(recorded.sensors), depth_camera=CAMERA, disparity=scale)
+    more = [*BOARD_CALL, "--report", str(report)]
+    for steps, told in (((), False), (("disparity",), True)):
+        done = (CalibrationRecord(step, "2026-11-01T10:00:00+00:00", 0.5, "mm") for step in steps)
+        store.save(replace(measured, calibration=(*measured.calibration, *done)))
+        assert run(call("stereo", recorded.boards, recorded.sensors, *more)) == 0
+        error = capsys.readouterr().err
+        assert bool(re.search(r"Warning: Depths at \d+ mm differ by \+[345]\.", error)) is told
+        assert ("from the scale that was calibrated before" in report.read_text()) is told
 
 
 def without_board(folder: Path, _sensors: Path) -> tuple[str, Path, list[str]]:

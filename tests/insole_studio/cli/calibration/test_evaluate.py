@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -333,12 +334,13 @@ def test_wrong_calls(name: str, recorded, last_line) -> None:
 @pytest.mark.slow
 @pytest.mark.shared
 @pytest.mark.usefixtures("undrawn_reports")
-def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
+def test_real_sensor(shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kinect, kept = shared_data / "kinect_v1", ["--serial", "XW1120", "--sensors", str(tmp_path)]
     board = ["--board", "10x7", "--square", "30"]
     assert run(["calibrate", "color", str(kinect / "board_1"), *board, *kept]) == 0
     assert run(["calibrate", "distortion", str(kinect / "walls_1"), *kept]) == 0
     assert run(["calibrate", "stereo", str(kinect / "board_1"), *board, *kept]) == 0
+    assert "differ by" not in capsys.readouterr().err
     sensor = SensorStore(tmp_path).load("XW1120")
     assert sensor is not None
     for focal in (sensor.color_camera.fx, sensor.color_camera.fy):
@@ -357,6 +359,11 @@ def test_real_sensor(shared_data: Path, tmp_path: Path) -> None:
     words = ["evaluate", "object", str(kinect / "board_1"), *board, *kept]
     assert run([*words, "--report", str(report)]) == 0
     assert numbers(report)["mean_abs_mm"]["value"] < 1.24
+    walls = ["--distances", "465", "491", "599", "676", "761", "838"]
+    assert run(["calibrate", "disparity", str(kinect / "walls_1"), *walls, *kept]) == 0
+    told = re.search(r"Warning: Depths at \d+ mm differ by -([\d.]+)%", capsys.readouterr().err)
+    assert told is not None
+    assert 4 < float(told[1]) < 6, "a tape and a board of 30 mm contradict each other"
 
 
 @pytest.mark.slow

@@ -247,6 +247,13 @@ def test_what_does_not_fit_a_kinect_is_saved_only_when_confirmed(
     assert after.disparity != BURRUS
     assert "Depth to colour is saved for sensor SIM1." in stage.view.next_steps.text()
     assert stage.view.error.text() == ""
+    stage.presenter.edit_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
+    stage.presenter.choose_step("stereo")
+    for button in (stage.view.choose, stage.view.calibrate):
+        button.click()
+        settle()
+    said = stage.view.next_steps.text()
+    assert re.search(r"differ by \+2\d\.\d% from the scale that was calibrated", said), said
 
 
 def test_a_calibration_that_cannot_be_read_is_undone_in_the_window(
