@@ -13,7 +13,7 @@ import hmac
 import json
 import secrets
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Final, Self
 
 import pyrage
@@ -52,12 +52,15 @@ class BackupKey:
         The private key and `mac_key`, encrypted, in base64.
     opened_by
         "passphrase" or "private key".
+    recipients
+        Those of `for_recipients`, which `locked` does not tell; a key of an older program has none.
     """
 
     recipient: str
     mac_key: str
     locked: str
     opened_by: str
+    recipients: tuple[str, ...] = ()
 
     @classmethod
     def with_passphrase(cls, passphrase: str) -> Self:
@@ -86,14 +89,27 @@ class BackupKey:
             When one of them is no recipient of age.
         """
         try:
-            known = [pyrage.x25519.Recipient.from_str(text.strip()) for text in recipients]
+            known = list(map(pyrage.x25519.Recipient.from_str, _stripped(recipients)))
         except pyrage.RecipientError:
             known = []
         if not known:
             raise InputError(
                 "A recipient of backups is named by its public key of age; give it as age1… ."
             )
-        return cls._make("private key", lambda key: pyrage.encrypt(key, known))
+        made = cls._make("private key", lambda key: pyrage.encrypt(key, known))
+        return replace(made, recipients=_stripped(recipients))
+
+    def is_for(self, recipients: Sequence[str]) -> bool:
+        """Return whether it was made for these recipients, as far as it knows."""
+        return set(self.recipients) == set(_stripped(recipients))
+
+    def is_opened_by(self, passphrase: str) -> bool:
+        """Return whether a passphrase opens it, which takes a second."""
+        try:
+            open_key(self.locked, passphrase)
+        except WrongSecret:
+            return False
+        return True
 
     @classmethod
     def _make(cls, opened_by: str, lock: Any) -> Self:
@@ -104,13 +120,23 @@ class BackupKey:
         return cls(str(identity.to_public()), mac_key, locked, opened_by)
 
     @classmethod
-    def from_json(cls, values: dict[str, str]) -> Self:
+    def from_json(cls, values: dict[str, Any]) -> Self:
         """Read a key as `as_json` writes it."""
-        return cls(values["recipient"], values["mac_key"], values["locked"], values["opened_by"])
+        return cls(
+            values["recipient"],
+            values["mac_key"],
+            values["locked"],
+            values["opened_by"],
+            tuple(values.get("recipients", ())),
+        )
 
-    def as_json(self) -> dict[str, str]:
+    def as_json(self) -> dict[str, Any]:
         """Return the values that the record keeps."""
         return asdict(self)
+
+
+def _stripped(recipients: Sequence[str]) -> tuple[str, ...]:
+    return tuple(text.strip() for text in recipients)
 
 
 @dataclass(frozen=True)

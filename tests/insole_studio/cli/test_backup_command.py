@@ -189,5 +189,56 @@ def test_a_passphrase_comes_from_a_file(
     file.write_text("blå sko på grön äng\n", "utf-8")
     folder, secret = str(tmp_path / "backups"), ["--passphrase-file", str(file)]
     assert run(["records", "backup", folder, *secret]) == 0
+    assert run(["records", "backup", folder, *secret]) == 0
     assert run(["records", "restore", folder, *secret, "--record", str(tmp_path / "new")]) == 0
     assert names_in(tmp_path / "new") == ["Anna Berg"]
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence", "code"),
+    [
+        (["--passphrase-file", "other.txt"], "--passphrase-file does not give that; leave it", 2),
+        (["--passphrase-file", "missing.txt"], "missing.txt cannot be read", 1),
+        (["--recipient", "nonsense"], "public key of age", 1),
+        (["--recipient", str(IDENTITY.to_public())], "--recipient does not give that; leave it", 2),
+    ],
+)
+def test_what_does_not_open_the_backups_of_a_record_is_refused(
+    record: Path,
+    quick_passphrases: None,
+    given: list[str],
+    sentence: str,
+    code: int,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Into another folder as well: whoever keeps the other passphrase could not restore."""
+    monkeypatch.chdir(tmp_path)
+    for name, phrase in (("first.txt", "blå sko på grön äng"), ("other.txt", "four other words")):
+        Path(name).write_text(phrase, "utf-8")
+    assert run(["records", "backup", "one", "--passphrase-file", "first.txt"]) == 0
+    assert run(["records", "backup", "two", *given]) == code
+    assert sentence in capsys.readouterr().err.splitlines()[-1]
+    assert not Path("two").exists()
+
+
+def test_another_recipient_than_that_of_the_backups_is_refused(
+    record: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert back_up(tmp_path / "one") == 0
+    other = str(pyrage.x25519.Identity.generate().to_public())
+    assert run(["records", "backup", str(tmp_path / "two"), "--recipient", other]) == 2
+    assert "opened by the private key that was chosen" in capsys.readouterr().err
+    assert not (tmp_path / "two").exists()
+
+
+@pytest.mark.parametrize(
+    ("command", "other"), [("backup", "--recipient"), ("restore", "--private-key")]
+)
+def test_a_backup_is_opened_by_one_thing(
+    command: str, other: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        run(["records", command, "b", "--passphrase-file", "p", other, "k"])
+    assert "not allowed with argument" in capsys.readouterr().err

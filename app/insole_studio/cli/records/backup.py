@@ -47,11 +47,12 @@ def _add_backup_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FOLDER",
         help="folder of backups; it grows by what is new",
     )
-    parser.add_argument(
+    secret = parser.add_mutually_exclusive_group()
+    secret.add_argument(
         "--passphrase-file", type=Path, metavar="FILE",
         help="the first time: file with the passphrase; without it you are asked",
     )  # fmt: skip
-    parser.add_argument(
+    secret.add_argument(
         "--recipient", action="append", metavar="AGE1…",
         help="the first time: public key of age, instead of a passphrase",
     )  # fmt: skip
@@ -65,9 +66,12 @@ def _run_backup(arguments: argparse.Namespace, progress: Progress) -> None:
 
     with opened(arguments, Right.BACK_UP) as records:
         _refuse_wrong_record(records)
-        if key_of_backups(records.context) is None:
+        key = key_of_backups(records.context)
+        if key is None:
             _check_may_begin(records)
             set_up_backups(records.context, _new_key(arguments))
+        else:
+            _check_is_key(key, arguments)
         saved = UserPaths.of_user().backed_up_folders
         report = back_up(records.context, arguments.folder, saved, progress)
     print(
@@ -128,6 +132,33 @@ def _new_key(arguments: argparse.Namespace) -> BackupKey:
     if arguments.passphrase_file is not None:
         return BackupKey.with_passphrase(ask(prompt, arguments.passphrase_file))
     return BackupKey.with_passphrase(ask_twice(prompt, "The two passphrases differ; begin again."))
+
+
+def _check_is_key(key: BackupKey, arguments: argparse.Namespace) -> None:
+    """Check that what is given opens the backups of the record, which have their key already.
+
+    Whoever gave another passphrase would keep it, and not get into the backups.
+
+    Raises
+    ------
+    UsageError
+    """
+    from insole_core.records.backup.backup_key import BackupKey
+
+    option = "--passphrase-file"
+    if arguments.recipient:
+        option = "--recipient"
+        BackupKey.for_recipients(arguments.recipient)  # which refuses what is none
+        is_right = key.is_for(arguments.recipient)
+    else:
+        file = arguments.passphrase_file
+        is_right = file is None or key.is_opened_by(ask("", file))
+    if not is_right:
+        raise UsageError(
+            f"The backups of this record, in every folder, are opened by the {key.opened_by} that "
+            f"was chosen with the first one, and {option} does not give that; leave it out, and "
+            "keep what was chosen: it cannot be changed."
+        )
 
 
 BACKUP = Step(

@@ -16,11 +16,12 @@ _MOST_BYTES = 2**16
 
 def add_secret_arguments(parser: argparse.ArgumentParser) -> None:
     """Add where the passphrase or the private key of a backup is."""
-    parser.add_argument(
+    secret = parser.add_mutually_exclusive_group()
+    secret.add_argument(
         "--passphrase-file", type=Path, metavar="FILE",
         help="file with the passphrase of the backup; without it you are asked",
     )  # fmt: skip
-    parser.add_argument(
+    secret.add_argument(
         "--private-key", type=Path, metavar="FILE",
         help="file with the private key of age that the backup is for, instead of a passphrase",
     )  # fmt: skip
