@@ -62,7 +62,14 @@ def encode_headers(
 
 def _headers(buffer: ByteArray, rows: NDArray[np.intp]) -> NDArray[np.void]:
     """Return the headers in some rows of a block, (n,)."""
-    return buffer[rows, :HEADER_BYTES].view(_HEADER)[:, 0]
+    return buffer[_span(rows), :HEADER_BYTES].view(_HEADER)[:, 0]
+
+
+def _span(rows: NDArray[np.intp]) -> slice | NDArray[np.intp]:
+    """Return ascending rows as a slice if none is left out: they are copied once, not twice."""
+    if not len(rows) or rows[-1] - rows[0] >= len(rows):
+        return rows
+    return slice(rows[0], rows[-1] + 1)
 
 
 class PacketBlock(NamedTuple):
@@ -81,6 +88,18 @@ class PacketBlock(NamedTuple):
     buffer: ByteArray
     lengths: NDArray[np.uint32]
     good: NDArray[np.bool_]
+
+    @classmethod
+    def idle(cls, count: int, packet_bytes: int) -> PacketBlock:
+        """Return microframes in which nothing was sent.
+
+        Parameters
+        ----------
+        packet_bytes
+            Largest packet of one microframe.
+        """
+        buffer = np.zeros((count, packet_bytes), np.uint8)
+        return cls(buffer, np.zeros(count, np.uint32), np.ones(count, bool))
 
 
 class PacketReceiver(Protocol):
@@ -195,7 +214,7 @@ class FrameAssembler:
         self._sequence = (self._sequence + len(rows)) & 0xFF
         while len(rows):
             part = rows[: self._mode.packets - self._index]
-            self._frame[self._index : self._index + len(part)] = buffer[part, payload]
+            self._frame[self._index : self._index + len(part)] = buffer[_span(part), payload]
             self._index += len(part)
             rows = rows[len(part) :]
             if self._index == self._mode.packets:

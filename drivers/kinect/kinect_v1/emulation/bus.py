@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import TypeVar
 
-import numpy as np
-
 from kinect_v1.emulation.descriptors import parse_configuration, parse_device
 from kinect_v1.emulation.device import (
     EmulatedFunction,
@@ -309,11 +307,7 @@ class _PlayingStream:
             due_s += self._block_s
 
     def _next_block(self) -> PacketBlock:
-        packets = self._plugged.function.microframes(self._endpoint, _BLOCK)
-        lengths = np.array([len(packet) for packet in packets], np.uint32)
-        filled = b"".join(packet.ljust(self._packet_bytes, b"\0") for packet in packets)
-        buffer = np.frombuffer(filled, np.uint8).reshape(_BLOCK, self._packet_bytes)
-        return PacketBlock(buffer, lengths, np.ones(_BLOCK, bool))
+        return self._plugged.function.block(self._endpoint, _BLOCK, self._packet_bytes)
 
 
 def _fill(data: array[int], answer: bytes) -> int:

@@ -22,6 +22,7 @@ from kinect_v1.emulation.packet_source import Fault, FaultPlan, PacketSource
 from kinect_v1.errors import ProtocolError
 from kinect_v1.models import Model
 from kinect_v1.modes import DEPTH, MODES, VIDEO, StreamMode, mode_from_registers
+from kinect_v1.packets import PacketBlock
 
 Footage = Mapping[str, Sequence[bytes]]
 """Packed frames by name of the mode; a mode without frames streams nothing."""
@@ -90,6 +91,10 @@ class EmulatedFunction:
 
     def microframes(self, endpoint: int, count: int) -> list[bytes]:
         """Return what the next microframes of an isochronous endpoint carry."""
+        raise StallError
+
+    def block(self, endpoint: int, count: int, packet_bytes: int) -> PacketBlock:
+        """Return the same as a transfer; see `PacketSource.block`."""
         raise StallError
 
 
@@ -185,6 +190,13 @@ class EmulatedCamera(EmulatedFunction):
         """Return what the next microframes of an isochronous endpoint carry."""
         source = self._sources[endpoint]
         return source.microframes(count) if source else [b""] * count
+
+    def block(self, endpoint: int, count: int, packet_bytes: int) -> PacketBlock:
+        """Return the same as a transfer; see `PacketSource.block`."""
+        source = self._sources[endpoint]
+        return (
+            source.block(count, packet_bytes) if source else PacketBlock.idle(count, packet_bytes)
+        )
 
     def _obey(self, opcode: int, payload: bytes) -> tuple[int, bytes]:
         """Carry out a command; return the error word and the data of the reply."""

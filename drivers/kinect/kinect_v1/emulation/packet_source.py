@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinect_v1.modes import StreamMode
 from kinect_v1.packets import (
     HEADER_BYTES,
     ByteArray,
+    PacketBlock,
     encode_headers,
     packet_flags,
     packet_lengths,
@@ -96,7 +98,7 @@ class PacketSource:
         self._faults = faults
         self._flags = packet_flags(mode)
         self._lengths = packet_lengths(mode)
-        self._payloads = self._split(frames[0])
+        self._begin(frames[0])
         self._microframe = 0
         self._frame = -1
         self._index = mode.packets // 2  # the first frame after the start is incomplete
@@ -105,38 +107,52 @@ class PacketSource:
 
     def microframes(self, count: int) -> list[bytes]:
         """Return what the next microframes carry; empty where the bus is idle."""
-        sent: list[bytes] = []
-        while len(sent) < count:
-            idle = self._frame_start() - self._microframe if self._index == 0 else 0
-            if idle > 0:
-                idle = min(idle, count - len(sent))
-                sent += [_IDLE] * idle
-                self._microframe += idle
+        block = self.block(count, HEADER_BYTES + self._mode.kind.payload_bytes)
+        lengths = block.lengths.tolist()
+        return [row[:length].tobytes() for row, length in zip(block.buffer, lengths, strict=True)]
+
+    def block(self, count: int, packet_bytes: int) -> PacketBlock:
+        """Return what the next microframes carry, as a transfer.
+
+        Parameters
+        ----------
+        packet_bytes
+            Largest packet of one microframe.
+        """
+        block = PacketBlock.idle(count, packet_bytes)
+        at = 0
+        while at < count:
+            pause = self._frame_start() - self._microframe if self._index == 0 else 0
+            if pause > 0:
+                run = min(pause, count - at)
+                self._microframe += run
             else:
-                sent += self._next_packets(count - len(sent))
-        return sent
+                run = self._send(block.buffer[at:], block.lengths[at:])
+            at += run
+        return block
 
     def _frame_start(self) -> int:
         return round((self._frame + 0.5) * MICROFRAMES_PER_S / self._mode.fps)
 
-    def _next_packets(self, most: int) -> list[bytes]:
-        """Return the next packets of the frame that is being sent."""
-        steps = np.arange(min(most, self._mode.packets - self._index))
-        run = slice(self._index, self._index + len(steps))
-        packets = np.empty((len(steps), HEADER_BYTES + self._mode.kind.payload_bytes), np.uint8)
-        packets[:, :HEADER_BYTES] = encode_headers(
+    def _send(self, rows: ByteArray, lengths: NDArray[np.uint32]) -> int:
+        """Write the next packets of the frame that is being sent; return how many."""
+        rest = self._payloads[self._index :] if self._index < len(self._payloads) else self._end
+        payloads = rest[: len(rows)]
+        count = len(payloads)
+        steps = np.arange(count)
+        run = slice(self._index, self._index + count)
+        rows[:count, :HEADER_BYTES] = encode_headers(
             self._flags[run],
             self._sequence + steps,
             self._lengths[run],
             (self._microframe + steps) * _CLOCK_PER_MICROFRAME,
         )
-        packets[:, HEADER_BYTES:] = self._payloads[run]
-        self._advance(len(steps))
-        sent = [
-            packet[:length].tobytes()
-            for packet, length in zip(packets, self._lengths[run].tolist(), strict=True)
-        ]
-        return [self._spoil(packet) for packet in sent] if self._faults else sent
+        rows[:count, HEADER_BYTES : HEADER_BYTES + payloads.shape[1]] = payloads
+        lengths[:count] = self._lengths[run]
+        if self._faults:
+            self._spoil_rows(rows[:count], lengths[:count])
+        self._advance(count)
+        return count
 
     def _advance(self, count: int) -> None:
         self._sequence += count
@@ -145,14 +161,21 @@ class PacketSource:
         if self._index == self._mode.packets:
             self._index = 0
             self._frame += 1
-            self._payloads = self._split(self._frames[self._frame % len(self._frames)])
+            self._begin(self._frames[self._frame % len(self._frames)])
 
-    def _split(self, frame: bytes) -> ByteArray:
-        """Return the payloads of a frame's packets, the last one filled up."""
-        shape = (self._mode.packets, self._mode.kind.payload_bytes)
-        payloads = np.zeros(shape, np.uint8)
-        payloads.reshape(-1)[: len(frame)] = np.frombuffer(frame, np.uint8)
-        return payloads
+    def _begin(self, frame: bytes) -> None:
+        """Take the payloads of a frame's packets, of which the last one is shorter."""
+        size = self._mode.kind.payload_bytes
+        whole = self._mode.packets - 1
+        payloads = np.frombuffer(frame, np.uint8)
+        self._payloads = payloads[: whole * size].reshape(whole, size)
+        self._end = payloads[np.newaxis, whole * size :]
+
+    def _spoil_rows(self, rows: ByteArray, lengths: NDArray[np.uint32]) -> None:
+        for index, length in enumerate(lengths.tolist()):
+            packet = self._spoil(rows[index, :length].tobytes())
+            rows[index, : len(packet)] = np.frombuffer(packet, np.uint8)
+            lengths[index] = len(packet)
 
     def _spoil(self, packet: bytes) -> bytes:
         """Apply the faults that are due."""
