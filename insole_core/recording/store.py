@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+from functools import cached_property
 from itertools import chain
 from pathlib import Path, PurePosixPath
 from typing import Protocol
@@ -50,7 +51,11 @@ class FolderStore:
         self._root = root
 
     def names(self) -> list[str]:
-        """Return the names of all files, with forward slashes."""
+        """Return the names of all files, with forward slashes; they are listed once."""
+        return self._names
+
+    @cached_property
+    def _names(self) -> list[str]:
         # Not all below the folder: somebody may name one that holds a whole disk.
         paths = chain(self._root.glob("*"), (self._root / "views").rglob("*"))
         return sorted(p.relative_to(self._root).as_posix() for p in paths if p.is_file())
