@@ -113,7 +113,7 @@ class Drafts:
         found = [
             draft
             for path in self._folder.glob("*/manifest.json")
-            if (draft := read_unfinished(path.parent)) and not _is_held(path.parent)
+            if not _is_held(path.parent) and (draft := read_unfinished(path.parent))
         ]
         return sorted(found, key=lambda draft: draft.manifest.recorded_at, reverse=True)
 
