@@ -9,6 +9,7 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass
 from multiprocessing.context import BaseContext
+from multiprocessing.heap import BufferWrapper
 from typing import Any, Literal
 
 import numpy as np
@@ -55,9 +56,8 @@ class SharedFrameBuffer:
     def __init__(self, context: BaseContext) -> None:
         fields = MOST_SENSORS * len(_KINDS) * 3
         self._head = context.RawArray(ctypes.c_int64, fields)
-        self._body = context.RawArray(
-            ctypes.c_uint8, MOST_SENSORS * len(_KINDS) * _PLACES * _LARGEST_BYTES
-        )
+        # No array of `context`: that would be filled with zeros, 70 MB of which most is never used.
+        self._body = BufferWrapper(MOST_SENSORS * len(_KINDS) * _PLACES * _LARGEST_BYTES)
 
     def write(self, sensor: int, image: RawArray | ByteArray) -> None:
         """Write a picture of sensor number `sensor`; shape and dtype determine its kind.
@@ -99,7 +99,7 @@ class SharedFrameBuffer:
         return np.ctypeslib.as_array(self._head).reshape(MOST_SENSORS, len(_KINDS), 3)
 
     def _place(self, sensor: int, kind: Kind, count: int) -> NDArray[np.uint8]:
-        places = np.ctypeslib.as_array(self._body)
+        places = np.frombuffer(self._body.create_memoryview(), np.uint8)
         places = places.reshape(MOST_SENSORS, len(_KINDS), _PLACES, _LARGEST_BYTES)
         return places[sensor, _KINDS.index(kind), count % _PLACES]
 
