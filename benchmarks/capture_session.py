@@ -15,6 +15,7 @@ from __future__ import annotations
 import statistics
 import tempfile
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -71,7 +72,7 @@ def scene() -> np.ndarray[Any, np.dtype[np.uint16]]:
     return np.where(inside, 600 + rows // 8, 2047).astype(np.uint16)
 
 
-def footage() -> dict[str, list[bytes]]:
+def footage() -> Mapping[str, list[bytes]]:
     steady = scene()
     warming = []
     for index in range(SETTLE_FRAMES):
@@ -96,7 +97,7 @@ def wait_until_live(sensors: dict[str, OpenSensor]) -> None:
 
 
 def capture_s(
-    played: dict[str, list[bytes]], simultaneous: bool, live: bool
+    played: Mapping[str, list[bytes]], simultaneous: bool, live: bool
 ) -> tuple[float, float]:
     """Return the seconds until the last frame was taken, and until the last view was stored."""
     kinects = [

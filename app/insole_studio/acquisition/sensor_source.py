@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -186,20 +186,21 @@ def _kinect(sensor: Sensor, scenes: Mapping[float, Footage]) -> EmulatedKinect:
     return kinect
 
 
-def _footage(view: View) -> dict[str, list[bytes]]:
+def _footage(view: View) -> Footage:
     depth = [view.read_depth(index) for index in range(view.depth_count)]
-    mosaics = [mosaic(_whole(view.read_color(index))) for index in range(view.color_count)]
-    return make_footage(depth, mosaics, _infrared(view))
+    colors = [view.read_color(index) for index in range(view.color_count)]
+    mosaics = [mosaic(_whole(color)) for color in colors]
+    return make_footage(depth, mosaics, _infrared(view, colors))
 
 
-def _infrared(view: View) -> list[RawArray]:
+def _infrared(view: View, colors: Iterable[ByteArray]) -> list[RawArray]:
     """Return the infrared pictures (488, 640) of a view, or colour in their place."""
     below = (0, _INFRARED_SIZE[1] - view.sensor.depth_camera.height)
     if view.dots is not None and view.dots.pictures is not None:
         with suppress(InputError):  # what is wrong with them spoils no session
             pictures = view.dots.pictures
             return [np.pad(pictures.read(one), (below, (0, 0))) for one in range(pictures.count)]
-    return [_in_grey(view.read_color(index)) for index in range(view.color_count)]
+    return [_in_grey(color) for color in colors]
 
 
 def _in_grey(color: ByteArray) -> RawArray:

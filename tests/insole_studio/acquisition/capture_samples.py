@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -57,7 +57,7 @@ class NothingStored:
 
 
 @cache
-def footage(seed: int, warm_up: int) -> dict[str, list[bytes]]:
+def footage(seed: int, warm_up: int) -> Mapping[str, list[bytes]]:
     return make_footage(depth_frames(seed, warm_up), [color_mosaic(seed)])
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 import cv2
@@ -12,7 +12,16 @@ from kinect_v1.calibration import Calibration, Padding, RegistrationInfo, ZeroPl
 from kinect_v1.emulation.device import EmulatedKinect
 from kinect_v1.errors import RecordingError
 from kinect_v1.models import Model
-from kinect_v1.modes import BAYER_640, BAYER_1280, DEPTH_10, DEPTH_11, IR_640, IR_1280, StreamMode
+from kinect_v1.modes import (
+    BAYER_640,
+    BAYER_1280,
+    DEPTH_10,
+    DEPTH_11,
+    IR_640,
+    IR_1280,
+    PixelFormat,
+    StreamMode,
+)
 from kinect_v1.pixels import ByteArray, RawArray, demosaic, encode_image, mosaic
 from kinect_v1.recordings import Recording, read_color, read_depth, read_received, read_recording
 
@@ -30,11 +39,31 @@ TYPICAL_CALIBRATION = Calibration(
 """What devices usually report, except the registration, which varies between devices."""
 
 
+class _PackedFootage(Mapping[str, list[bytes]]):
+    """Frames by name of the mode, packed when a mode is first played: most never are."""
+
+    def __init__(self, images: Mapping[StreamMode, Sequence[ByteArray | RawArray]]) -> None:
+        self._images = {mode.name: (mode, shown) for mode, shown in images.items() if shown}
+        self._packed: dict[str, list[bytes]] = {}
+
+    def __getitem__(self, name: str) -> list[bytes]:
+        if name not in self._packed:
+            mode, images = self._images[name]
+            self._packed[name] = [encode_image(_in_mode(image, mode), mode) for image in images]
+        return self._packed[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._images)
+
+    def __len__(self) -> int:
+        return len(self._images)
+
+
 def make_footage(
     depth: Iterable[RawArray] = (),
     mosaics: Iterable[ByteArray] = (),
     infrared: Iterable[RawArray] = (),
-) -> dict[str, list[bytes]]:
+) -> Mapping[str, list[bytes]]:
     """Return the packed frames that an emulated camera plays.
 
     Parameters
@@ -46,21 +75,26 @@ def make_footage(
     infrared
         (488, 640) or (1024, 1280), 10 bits.
     """
-    footage: dict[str, list[bytes]] = {}
+    raw, colored, dotted = list(depth), list(mosaics), list(infrared)
+    return _PackedFootage(
+        {
+            DEPTH_11: raw,
+            DEPTH_10: raw,
+            BAYER_640: colored,
+            BAYER_1280: colored,
+            IR_640: [image for image in dotted if image.shape == (488, 640)],
+            IR_1280: [image for image in dotted if image.shape != (488, 640)],
+        }
+    )
 
-    def add(mode: StreamMode, image: ByteArray | RawArray) -> None:
-        footage.setdefault(mode.name, []).append(encode_image(image, mode))
 
-    for raw in depth:
-        add(DEPTH_11, raw)
-        add(DEPTH_10, np.right_shift(raw, 1, dtype=np.uint16))
-    for picture in mosaics:
-        own, other = (BAYER_640, BAYER_1280)[:: 1 if picture.shape == (480, 640) else -1]
-        add(own, picture)
-        add(other, _resized(picture, other))
-    for image in infrared:
-        add(IR_640 if image.shape == (488, 640) else IR_1280, image)
-    return footage
+def _in_mode(image: ByteArray | RawArray, mode: StreamMode) -> ByteArray | RawArray:
+    """Return a picture as a mode shows it."""
+    if mode is DEPTH_10:
+        return np.right_shift(image, 1, dtype=np.uint16)
+    if mode.pixels is PixelFormat.BAYER and image.shape != (mode.height, mode.width):
+        return _resized(np.asarray(image, np.uint8), mode)
+    return image
 
 
 def _resized(picture: ByteArray, mode: StreamMode) -> ByteArray:
