@@ -732,6 +732,10 @@
             <translation>{value:.1f} mm på tunnaste stället</translation>
         </message>
         <message>
+            <source>{value:.1f} mm is the least of its material</source>
+            <translation>{value:.1f} mm är minst för dess material</translation>
+        </message>
+        <message>
             <source>{value:.1f} mm of rise over 1 mm</source>
             <translation>{value:.1f} mm stigning på 1 mm</translation>
         </message>

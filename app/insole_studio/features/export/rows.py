@@ -173,6 +173,9 @@ def check_row(
         state, sentence = CheckState.OFF, tr("does not apply to this piece")
     elif finding is not None:
         state, sentence = state_of(finding), sentence_of(finding)
+        if name == "thickness" and finding.limit > rules.limits[name]:
+            needed = tr("{value:.1f} mm is the least of its material")
+            sentence = f"{sentence}; {fill(needed, value=finding.limit)}"
     placed = finding is not None and finding.place_mm is not None
     limit, unit = rules.limits.get(name), UNITS.get(name, "")
     return CheckRow(name, TITLES[name](), state, sentence, policy, limit, unit, placed)

@@ -572,6 +572,26 @@ def shelled(design: InsoleDesign, **values: Any) -> InsoleDesign:
     return replace(design, shell=Shell(**values), bottom="following")
 
 
+def test_the_least_thickness_that_a_material_needs_is_told_beside_the_check(
+    stage: ExportStage, case: Case, settle: Callable[[], None]
+) -> None:
+    """As the papers say it, which take the larger of rule and material."""
+    row = stage.view.check_list.rows["thickness"]
+    assert row.limit is not None
+    rule_mm = row.limit.value()
+    assert "material" not in row.sentence.text()
+    assert case.record.design is not None
+    case.apply(shelled(case.record.design, material="EVA"), "Shell")
+    settle()
+    (part,) = stage.presenter.parts
+    (found,) = [finding for finding in part.findings if finding.name == "thickness"]
+    assert found.limit > rule_mm == row.limit.value()
+    assert f"; {found.limit:.1f} mm is the least of its material" in row.sentence.text()
+    row.limit.setValue(6.0)
+    settle()
+    assert "material" not in row.sentence.text(), "the rule is stricter"
+
+
 def test_material_and_walls_are_those_of_the_design(
     stage: ExportStage, case: Case, settle: Callable[[], None], tmp_path: Path
 ) -> None:
