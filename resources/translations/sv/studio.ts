@@ -524,6 +524,10 @@
             <translation>Från första till sista besöket; ±: 95 %-gränser för en ändring</translation>
         </message>
         <message>
+            <source>Front edge {distance} mm ahead of the metatarsal heads</source>
+            <translation>Framkanten {distance} mm framför metatarsalhuvudena</translation>
+        </message>
+        <message>
             <source>Front edge {distance} mm behind the metatarsal heads</source>
             <translation>Framkanten {distance} mm bakom metatarsalhuvudena</translation>
         </message>

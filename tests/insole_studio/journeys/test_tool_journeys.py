@@ -248,6 +248,23 @@ def test_a_pelott_snaps_behind_the_heads(opened: Application, foot: SceneView) -
     assert f"{USUAL_MM:.1f} mm" in opened.stage.tool_controller.tool.hint(opened.case)
 
 
+def test_a_pelott_ahead_of_the_heads_is_never_so_far_behind_them_as_less_than_nothing(
+    opened: Application, foot: SceneView
+) -> None:
+    line = metatarsal_line(opened.case.record)
+    assert line is not None
+    act(opened, "tool_pelott")
+    x, y = line[1, :2]
+    QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, x, y - 10.0))
+    pad = last(opened)
+    assert isinstance(pad, Pelott)
+    found = clearance(opened.case.record, pad)
+    assert found is not None
+    assert found.distance_mm < -1.0
+    told = f"Front edge {-found.distance_mm:.1f} mm ahead of the metatarsal heads"
+    assert opened.stage.tool_controller.tool.hint(opened.case) == told
+
+
 def test_the_section_is_cut_by_a_click(opened: Application, foot: SceneView) -> None:
     act(opened, "tool_section")
     QTest.mouseClick(foot.surface, LEFT, pos=pixel(foot, 0.0, 110.0))

@@ -49,11 +49,12 @@ def selected_pelott(case: Case) -> Pelott | None:
 
 
 def clearance_text(case: Case) -> str:
-    """Return how far the selected pad ends behind the metatarsal heads; empty if far away."""
+    """Return how far the selected pad ends from the metatarsal heads; empty if far away."""
     pad = selected_pelott(case)
     found = clearance(case.shown, pad) if pad is not None else None
     if found is None or abs(found.distance_mm) > NEAR_MM:
         return ""
-    return tr("Front edge {distance} mm behind the metatarsal heads").format(
-        distance=localised(found.distance_mm)
-    )
+    behind = tr("Front edge {distance} mm behind the metatarsal heads")
+    ahead = tr("Front edge {distance} mm ahead of the metatarsal heads")
+    sentence = ahead if found.distance_mm < 0 else behind
+    return sentence.format(distance=localised(abs(found.distance_mm)))
