@@ -39,6 +39,7 @@ from insole_core.geometry.mesh_graph import noise_mm, without_noise
 from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_about, rotation_angle_deg
+from insole_core.imprints.form import Form
 from insole_core.messages import Message
 from insole_core.scans.cleaning import INSIDE_OUT
 
@@ -277,6 +278,35 @@ def recognised_foot(mesh: TriangleMesh) -> Foot | None:
         return _checked_foot(_find(mesh, known=found), side)
     except (InputError, SideMismatchError):  # of a size or proportions that no foot has
         return None
+
+
+def is_of_other_side(foot: Foot) -> bool:
+    """Return whether the shape of a foot is clearly that of the other one.
+
+    Somebody insisted on its side, or exchanged the names of two scans. A form under load tells too
+    little, and nothing is said of what lies like no foot.
+    """
+    if foot.form is not Form.FOOT:
+        return False
+    return foot.derived.get("other side", (), lambda: _shows_other_side(foot))
+
+
+def _shows_other_side(foot: Foot) -> bool:
+    points, other = surface_points(foot.mesh), foot.side.other
+    rough = {pose.side: pose.side_dissimilarity for pose in turned_poses(points, np.eye(3))}
+    if rough[other] > NO_FOOT:
+        return False
+    ratio = rough[foot.side] / rough[other]
+    if not 1 < ratio <= CLEAR:  # as nearly always
+        return ratio > CLEAR
+    poses = _as_it_lies(points, np.eye(4))
+    try:
+        own, opposite = (
+            _best(foot.even, points, poses, side).dissimilarity for side in (foot.side, other)
+        )
+    except InputError:  # nothing faces the ground: it was turned so
+        return False
+    return own > CLEAR * opposite
 
 
 def _held_foot(mesh: TriangleMesh) -> FoundFoot:

@@ -419,6 +419,7 @@ def _joined(job: ExportJob, records: list[dict[str, Any]]) -> dict[str, Any]:
     for part, record in zip(job.parts, records, strict=True):
         record["deviation_mm"] = round(part.deviation_mm, 4)
         record["triangles"] = len(part.solid.triangles)
+        record["warnings"] = list(map(str, part.warnings))
     if len(records) == 1:
         return records[0]
     return {str(part.side): r for part, r in zip(job.parts, records, strict=True)}

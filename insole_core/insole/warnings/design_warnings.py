@@ -8,6 +8,7 @@ from itertools import islice
 import numpy as np
 
 from insole_core.foot.contact_tilt import contact_tilt
+from insole_core.foot.foot_placement import is_of_other_side
 from insole_core.foot.landmarks import Landmarks
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
@@ -54,7 +55,7 @@ _SHOWN_HEIGHT_MM = 1.0
 
 
 def _scan_warnings(insole: Insole) -> Iterator[DesignWarning]:
-    """Warn of a foot that is the other one's mirror image, of an older scan, or not level."""
+    """Warn of a foot that is the other one or its mirror image, of an older scan, or not level."""
     foot = insole.foot
     if foot.scanned_on:
         yield DesignWarning(
@@ -70,6 +71,15 @@ def _scan_warnings(insole: Insole) -> Iterator[DesignWarning]:
             Message(
                 "The {side} foot was not scanned: foot and insole are mirrored from the {other} "
                 "foot.",
+                side=foot.side,
+                other=foot.side.other,
+            )
+        )
+    elif is_of_other_side(foot):
+        yield DesignWarning(
+            Message(
+                "The {side} foot has the shape of a {other} one; check which foot was scanned, and "
+                "if the side is wrong, open the scan again as the {other} foot.",
                 side=foot.side,
                 other=foot.side.other,
             )

@@ -4376,6 +4376,10 @@
             <translation>Elementet {pad} når {over:.0f} mm utanför skon {shoe} och skärs av där; flytta det eller gör det mindre.</translation>
         </message>
         <message>
+            <source>The {side} foot has the shape of a {other} one; check which foot was scanned, and if the side is wrong, open the scan again as the {other} foot.</source>
+            <translation>Foten ({side}) har den andra fotens form ({other}); kontrollera vilken fot som skannades, och öppna skanningen igen som den andra foten om sidan är fel.</translation>
+        </message>
+        <message>
             <source>The {side} foot is asked for, by --side, --other or the prescription, but {path} was recorded as the {recorded} foot; correct the call.</source>
             <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
         </message>

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Literal
 
 import pytest
 
 from insole_core.foot.alignment import PoseAngles, pose_angles, turned
 from insole_core.foot.contact_tilt import contact_tilt
 from insole_core.foot.foot import Foot
+from insole_core.foot.foot_placement import is_of_other_side, place_foot
 from insole_core.foot.landmarks import find_landmarks
+from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
+from insole_core.imprints.form import Form
 from insole_core.insole.build import build_insole
 from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.prescription.design import InsoleDesign
@@ -22,7 +26,7 @@ def warnings(foot: Foot) -> list[str]:
     """The sentences about the pose, as the window and the command line show them."""
     insole = build_insole(foot, InsoleDesign(foot.side, grid_mm=2.0))
     found = design_warnings(insole, find_landmarks(foot), load_rules())
-    about = ("not level", "scan of the", "not scanned")
+    about = ("not level", "scan of the", "not scanned", "has the shape of")
     return [str(w.sentence) for w in found if any(part in w.sentence for part in about)]
 
 
@@ -39,6 +43,40 @@ def test_a_mirror_image_of_an_earlier_scan_names_the_foot_that_was_scanned(right
     reused, mirrored = warnings(replace(right_foot, mirrored=True, scanned_on="2026-05-02"))
     assert reused.startswith("The scan of the left foot is that of the visit of 2026-05-02")
     assert mirrored.startswith("The right foot was not scanned")
+
+
+OTHER = "The right foot has the shape of a left one"
+
+
+@pytest.mark.parametrize("frame", ["reference", "unknown"])
+def test_a_foot_of_the_other_side_is_told_whoever_insisted_on_it(
+    left_mesh: TriangleMesh, frame: Literal["reference", "unknown"]
+) -> None:
+    foot = place_foot(left_mesh, Side.RIGHT, frame=frame, force=True)
+    (sentence,) = [w for w in warnings(foot) if "level" not in w]
+    assert sentence.startswith(OTHER)
+    assert "check which foot was scanned" in sentence
+    kept = replace(foot, notes=())  # as a case keeps it, without what was said at the import
+    assert [w for w in warnings(kept) if w.startswith(OTHER)]
+    # The deliberate mirror image says what it is; a form of a loaded foot tells too little.
+    assert not any("has the shape of" in w for w in warnings(replace(foot, mirrored=True)))
+    assert not any("has the shape of" in w for w in warnings(replace(foot, form=Form.IMPRINT)))
+    assert not any("has the shape of" in w for w in warnings(foot.mirror_image()))
+
+
+@pytest.mark.slow
+@pytest.mark.shared
+@pytest.mark.parametrize(
+    ("file", "side"),
+    [("dupontgu", Side.LEFT), ("focus_template", Side.LEFT), ("foot3d_0044", Side.LEFT),
+     ("plantar_scan.obj", Side.RIGHT)],
+)  # fmt: skip
+def test_a_scan_of_a_real_foot_tells_its_side(
+    scanned_mesh: Callable[[str], TriangleMesh], file: str, side: Side
+) -> None:
+    mesh = scanned_mesh(file)
+    assert not is_of_other_side(place_foot(mesh, side, frame="unknown"))
+    assert is_of_other_side(place_foot(mesh, side.other, frame="unknown", force=True))
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,7 +16,10 @@ from asked_scan import asked_scan
 from pointing import pixel
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+from read_pdf import text_of_pdf
 
+from insole_core.cases.case_record import Patient
 from insole_core.formats.ply import write_ply
 from insole_core.formats.stl import write_stl
 from insole_core.geometry.mesh import TriangleMesh
@@ -24,6 +28,10 @@ from insole_core.geometry.transforms import rigid, rotation_about
 from insole_core.simulate.foam_box import DOUBLE_MM, FoamBox, press_feet, pressing
 from insole_core.simulate.foot_model import build_foot
 from insole_core.simulate.foot_shape import FootShape
+from insole_core.solids.export_rules import ExportRules
+from insole_core.solids.prescription_paper import Responsible
+from insole_core.solids.shop import read_shop
+from insole_core.workflows.make_order import OrderChoice, make_parts, write_order
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.import_scan.import_dialog import ImportDialog, SizeFields
 from insole_studio.services.questions import SameSide
@@ -143,6 +151,35 @@ def test_what_spoke_against_a_side_is_said_again_when_the_scan_is_opened_once_mo
     QTest.mouseClick(dialog.open_button, LEFT)
     settle()
     assert "looks like a right foot" in dialog.doubts.text()  # insisting is for one choice
+
+
+def test_a_side_that_was_insisted_on_is_warned_of_until_the_shop_has_it(
+    app: Application,
+    open_scan: Open,
+    settle: Callable[[], None],
+    right_foot: TriangleMesh,
+    tmp_path: Path,
+) -> None:
+    said = "The left foot has the shape of a right one; check which foot was scanned"
+    dialog = open_scan(right_foot)
+    assert dialog is not None
+    QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    for _ in range(2):
+        QTest.mouseClick(dialog.open_button, LEFT)
+        settle()
+    labels = app.stage.patient.findChildren(QLabel, "warning")
+    assert [label.text().startswith(said) for label in labels if said in label.text()] == [True]
+    choice = OrderChoice(prescription=True, checks=True, pseudonym="26-7KQ4M")
+    parts = make_parts(app.case.record, choice, ExportRules({}, {}))
+    write_order(
+        parts, choice, tmp_path / "o.stl",
+        shop=read_shop(), patient=Patient("Ö"), responsible=Responsible("Ö", "Ö", "Ö", "Ö"),
+    )  # fmt: skip
+    for paper in ("job-sheet", "prescription"):
+        (path,) = tmp_path.glob(f"o*{paper}.pdf")
+        assert said in " ".join(text_of_pdf(path).split()), paper
+    (path,) = tmp_path.glob("o*.json")
+    assert any(w.startswith(said) for w in json.loads(path.read_text())["warnings"])
 
 
 def test_a_contradicted_side_is_put_right_with_one_press(
