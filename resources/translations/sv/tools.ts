@@ -124,8 +124,8 @@
             <translation>Pelott här</translation>
         </message>
         <message>
-            <source>Pen mark: {place} mm</source>
-            <translation>Pennmärke: {place} mm</translation>
+            <source>Pen mark: {place}</source>
+            <translation>Pennmärke: {place}</translation>
         </message>
         <message>
             <source>Plane</source>

@@ -582,6 +582,8 @@ def test_the_place_of_the_pointer_is_that_of_the_release(
     drag(foot, pixel(foot, 0, 120), pixel(foot, 0, 130), pixel(foot, 10, 140))
     y = float(told[-1].split("From heel")[1].split()[0])
     assert y == pytest.approx(140.0, abs=1.0)
+    for name in ("From axis", "From heel", "Height"):
+        assert told[-1].split(name)[1].split()[1] == "mm", f"{name} has its unit"
 
 
 def test_measures_are_copied_and_written_as_a_table(opened: Application, tmp_path: Path) -> None:

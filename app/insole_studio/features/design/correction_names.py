@@ -25,7 +25,8 @@ def label_of(kind: type[Part], name: str) -> str:
 def place_text(side: Side, x_mm: float, y_mm: float) -> str:
     """Say a place of the insole frame as the fields of a pad do."""
     from_axis, from_heel = (translate_core_message(label) for label, _ in Spot.each)
-    return f"{from_axis} {localised(side.medial_sign * x_mm)}   {from_heel} {localised(y_mm)}"
+    across, along = localised(side.medial_sign * x_mm), localised(y_mm)
+    return f"{from_axis} {across} mm   {from_heel} {along} mm"
 
 
 def device_name(design: InsoleDesign) -> str:

@@ -169,7 +169,7 @@ class FootProposals:
         side = self._case.shown.side
         assert side is not None, "marks are found on a foot"
         x, y, _ = found.mark.point
-        title = tr("Pen mark: {place} mm").format(place=place_text(side, x, y))
+        title = tr("Pen mark: {place}").format(place=place_text(side, x, y))
         uses = [
             Proposal(f"mark.{number}.{name}", tr("Use as {name}").format(name=point_text(name)))
             for name in found.meanings
