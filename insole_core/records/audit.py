@@ -13,7 +13,7 @@ import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final, TypeAlias
 
 from sqlalchemy import (
@@ -382,6 +382,26 @@ def verify_chain(
         )
         return AuditReport(number, previous, number, problem)
     return AuditReport(number, previous)
+
+
+def compared_with_note(report: AuditReport, noted: Mapping[int, str]) -> AuditReport:
+    """Return a report that also tells that no last line was noted beside the files, if so.
+
+    Parameters
+    ----------
+    noted
+        What `HeadWitness.read` returned. Whoever writes a line notes it, so that a log with lines
+        has its note, unless somebody took it away.
+    """
+    if noted or report.problem is not None or report.lines == 0:
+        return report
+    problem = Message(
+        "The audit log has {count} lines, and the last one is not noted beside the files any more, "
+        "so that an end that was cut off would not be seen; compare the record with a backup. The "
+        "next change notes it again.",
+        count=report.lines,
+    )
+    return replace(report, problem=problem)
 
 
 def _rows(connection: Connection) -> Iterator[Any]:

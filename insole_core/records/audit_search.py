@@ -13,7 +13,13 @@ from sqlalchemy import CompoundSelect, Connection, Select, func, select, union_a
 
 from insole_core.errors import RecordsError
 from insole_core.progress import SILENT, Progress
-from insole_core.records.audit import SEALED_ROWS, AuditLine, AuditLog, AuditReport
+from insole_core.records.audit import (
+    SEALED_ROWS,
+    AuditLine,
+    AuditLog,
+    AuditReport,
+    compared_with_note,
+)
 from insole_core.records.author import TIME_FORMAT
 from insole_core.records.context import RecordsContext
 from insole_core.records.rights import Right, require
@@ -146,7 +152,8 @@ def verify_audit(context: RecordsContext, progress: Progress = SILENT) -> AuditR
     Cancelled
     """
     noted = context.database.witness.read()
-    return AuditLog(context.database, context.author).verify(noted, progress)
+    report = AuditLog(context.database, context.author).verify(noted, progress)
+    return compared_with_note(report, noted)
 
 
 def _person_id(connection: Connection, pseudonym: str) -> str:

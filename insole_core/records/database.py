@@ -169,6 +169,13 @@ class Database:
         if head is not None:
             self.witness.write(head)
 
+    def note_head(self) -> None:
+        """Note the last line of the audit log beside the files, where another log was before."""
+        with self.reading() as connection:
+            head = self.witness.coming(connection)
+        if head is not None:
+            self.witness.write(head)
+
     def close(self) -> None:
         """Close all connections; one that is in use is closed after its transaction."""
         self._is_closed = True

@@ -176,6 +176,8 @@ def open_records(place: RecordsPlace, who: Author) -> Records:
             database = Database(place, problem=error.message)
             _check_tables(database, _NEEDED)
         database.schema = SCHEMA
+        if database.upgraded_from is not None:
+            database.note_head()  # an older program may have noted nothing
         if not database.is_read_only:
             _finish_erasing(database)
         return Records(database, _content_store(database), who)

@@ -9,7 +9,7 @@ from sqlalchemy import Connection, ForeignKeyConstraint, and_, exists, func, sel
 
 from insole_core.messages import Message
 from insole_core.progress import SILENT, Progress
-from insole_core.records.audit import AuditReport, verify_chain
+from insole_core.records.audit import AuditReport, compared_with_note, verify_chain
 from insole_core.records.content_store import ContentReport
 from insole_core.records.context import RecordsContext
 from insole_core.records.rights import Right, require
@@ -30,6 +30,8 @@ class VerifyReport:
         Of persons, visits, captures, prescriptions, orders, follow-ups, accounts and settings.
     database_problem
         What the database itself says about its file; empty if all is well, or on a server.
+    is_noted
+        Whether the last line of the audit log was noted beside the files, to compare with.
     """
 
     audit: AuditReport
@@ -38,17 +40,21 @@ class VerifyReport:
     references: Mapping[str, int]
     rows: RowReport
     database_problem: str = ""
+    is_noted: bool = True
 
     def compared(self) -> Message:
         """Return what was compared, and with what."""
         return Message(
-            "Compared: {lines} lines of the audit log with each other and with the last one noted "
-            "beside the files; {rows} rows (persons, visits, captures, prescriptions, orders, "
-            "follow-ups, accounts with roles and passwords, settings) with what the log says of "
-            "their last change; whether accounts are on; {signatures} signatures; {files} files "
-            "with their SHA-256. Not compared: who works where just now, failed sign-ins, and what "
-            "is drawn from other rows, such as the words of the search.",
+            "Compared: {lines} lines of the audit log {others}; {rows} rows (persons, visits, "
+            "captures, prescriptions, orders, follow-ups, accounts with roles and passwords, "
+            "settings) with what the log says of their last change; whether accounts are on; "
+            "{signatures} signatures; {files} files with their SHA-256. Not compared: who works "
+            "where just now, failed sign-ins, and what is drawn from other rows, such as the words "
+            "of the search.",
             lines=self.audit.lines,
+            others=Message("with each other and with the last one noted beside the files")
+            if self.is_noted
+            else Message("with each other, and not with the last one, which is not noted"),
             rows=self.rows.checked,
             signatures=self.signatures.checked,
             files=self.contents.checked,
@@ -133,18 +139,20 @@ def verify_record(
     Cancelled
     """
     # Before the moment that the transaction sees, after which others may write further lines.
-    noted = context.database.witness.read() | dict(known or {})
+    noted = context.database.witness.read()
     with context.database.reading() as connection:
         require(connection, context.author, Right.BACK_UP)
         problem = _problem_of_file(connection) if context.database.is_sqlite else ""
-        audit = verify_chain(connection, noted, progress.part(0, 0.2))
+        audit = verify_chain(connection, noted | dict(known or {}), progress.part(0, 0.2))
         rows = verify_rows(connection, progress.part(0.2, 0.3))
         signatures = verify_signatures(connection, progress.part(0.3, 0.4))
         references = _dangling(connection)
         query = select(contents.c.sha256, contents.c.size)
         used = {row.sha256: row.size for row in connection.execute(query)}
     files = context.contents.verify(used, progress.part(0.4, 1))
-    return VerifyReport(audit, signatures, files, references, rows, problem)
+    return VerifyReport(
+        compared_with_note(audit, noted), signatures, files, references, rows, problem, bool(noted)
+    )
 
 
 def _problem_of_file(connection: Connection) -> str:

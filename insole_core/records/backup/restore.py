@@ -150,6 +150,8 @@ def restore(
     else:
         report = _restore_server(place, opened.manifest, fill)
     HeadWitness(place.contents).forget()
+    with _opened(place) as database:
+        database.note_head()
     restored, kept = _restore_settings(opened, settings or {}, revise)
     return replace(report, files=restored, kept_files=kept)
 

@@ -752,8 +752,8 @@
             <translation>Jämförd del</translation>
         </message>
         <message>
-            <source>Compared: {lines} lines of the audit log with each other and with the last one noted beside the files; {rows} rows (persons, visits, captures, prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with what the log says of their last change; whether accounts are on; {signatures} signatures; {files} files with their SHA-256. Not compared: who works where just now, failed sign-ins, and what is drawn from other rows, such as the words of the search.</source>
-            <translation>Jämfört: {lines} rader i loggen med varandra och med den sista som noterats bredvid filerna; {rows} rader (personer, besök, skanningar, ordinationer, beställningar, uppföljningar, konton med roller och lösenord, inställningar) med vad loggen säger om deras senaste ändring; om konton är påslagna; {signatures} signaturer; {files} filer med deras SHA-256. Inte jämfört: vem som arbetar var just nu, misslyckade inloggningar, och det som härleds ur andra rader, såsom sökorden.</translation>
+            <source>Compared: {lines} lines of the audit log {others}; {rows} rows (persons, visits, captures, prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with what the log says of their last change; whether accounts are on; {signatures} signatures; {files} files with their SHA-256. Not compared: who works where just now, failed sign-ins, and what is drawn from other rows, such as the words of the search.</source>
+            <translation>Jämfört: {lines} rader i loggen {others}; {rows} rader (personer, besök, skanningar, ordinationer, beställningar, uppföljningar, konton med roller och lösenord, inställningar) med vad loggen säger om deras senaste ändring; om konton är påslagna; {signatures} signaturer; {files} filer med deras SHA-256. Inte jämfört: vem som arbetar var just nu, misslyckade inloggningar, och det som härleds ur andra rader, såsom sökorden.</translation>
         </message>
         <message>
             <source>Comparing the files</source>
@@ -3114,6 +3114,10 @@
         <message>
             <source>The audit log ends with line {last}, but {count} lines were written; compare it with a backup.</source>
             <translation>Loggen slutar med rad {last}, men {count} rader har skrivits; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>The audit log has {count} lines, and the last one is not noted beside the files any more, so that an end that was cut off would not be seen; compare the record with a backup. The next change notes it again.</source>
+            <translation>Loggen har {count} rader, och den sista är inte längre noterad bredvid filerna, så att ett avklippt slut inte skulle synas; jämför journalen med en säkerhetskopia. Nästa ändring noterar den igen.</translation>
         </message>
         <message>
             <source>The backup in {folder} comes from a newer Insole Studio; install the newest version.</source>
@@ -8594,6 +8598,14 @@
         <message>
             <source>with a residual of {residual:.2f} mm</source>
             <translation>med en restavvikelse på {residual:.2f} mm</translation>
+        </message>
+        <message>
+            <source>with each other and with the last one noted beside the files</source>
+            <translation>med varandra och med den sista som noterats bredvid filerna</translation>
+        </message>
+        <message>
+            <source>with each other, and not with the last one, which is not noted</source>
+            <translation>med varandra, och inte med den sista, som inte är noterad</translation>
         </message>
         <message>
             <source>with walls and solid layers of {layer:g} mm</source>

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sqlite3
+from collections.abc import Callable
 from contextlib import closing
 from datetime import date
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -16,11 +18,12 @@ from tampering import without_triggers
 from insole_core.errors import NotAllowed, RecordsError
 from insole_core.records import verify
 from insole_core.records.accounts import Accounts
-from insole_core.records.audit import AuditLog
+from insole_core.records.audit import AuditLog, head_of
 from insole_core.records.audit_search import verify_audit
 from insole_core.records.author import Role
 from insole_core.records.backup.back_up import set_up_backups
 from insole_core.records.backup.backup_key import BackupKey
+from insole_core.records.content_store import HEAD_FILE
 from insole_core.records.context import RecordsContext
 from insole_core.records.marks import mark_of
 from insole_core.records.person import Person
@@ -133,6 +136,31 @@ def test_a_log_whose_end_was_cut_off_is_told(stations: Stations) -> None:
     for name in ("anna", "ben", "cleo", "dora"):
         records.accounts.add(name, name, Role.ORTHOPEDIST, "vier Schuhe gehen")
     assert f"Line {lines} of the audit log" in verify_record(context).problems()[0]
+
+
+@pytest.mark.parametrize("spoil", [Path.unlink, lambda note: note.write_bytes(b"no line")])
+def test_that_the_last_line_is_not_noted_is_told_until_it_is_again(
+    stations: Stations, spoil: Callable[[Path], object]
+) -> None:
+    records = set_up(stations)
+    context = records.context
+    assert "and with the last one noted" in verify_record(context).compared()
+    spoil(context.contents.folder / HEAD_FILE)
+    report = verify_record(context)
+    (told,) = report.problems()
+    assert "the last one is not noted beside the files" in told
+    assert "and not with the last one, which is not noted" in report.compared()
+    assert verify_audit(context).problem == told
+    records.accounts.add("anna", "anna", Role.ORTHOPEDIST, "vier Schuhe gehen")
+    assert verify_record(context).is_sound
+
+
+def test_a_new_record_needs_no_note_of_a_last_line(stations: Stations) -> None:
+    context = stations.open().context
+    context.database.witness.forget()
+    with context.database.reading() as connection:
+        assert head_of(connection)[0] == 0
+    assert verify_audit(context).is_intact
 
 
 def test_a_line_that_another_station_writes_meanwhile_is_no_lost_one(

@@ -79,6 +79,9 @@ def test_a_record_is_backed_up_verified_and_restored(
     assert "0 settings were there and stay" in capsys.readouterr().out
     assert names_in(new) == ["Anna Berg"]
     assert run(["records", "verify", "--record", str(new)]) == 0
+    (new / "contents" / "audit-head").unlink()
+    assert run(["records", "verify", "--record", str(new)]) == 1
+    assert "not noted beside the files" in capsys.readouterr().err.splitlines()[-1]
 
 
 def test_a_record_that_is_there_is_set_aside_only_on_request(
