@@ -348,19 +348,37 @@ def _disparity_json(model: DisparityModel) -> dict[str, Any]:
     return {"model": names[type(model)], **vars(model)}
 
 
+def folder_of_sensor(named: Path) -> Path:
+    """Return the folder of a sensor that somebody named: as it is, or by its sensor.json.
+
+    Raises
+    ------
+    InputError
+        When it holds no sensor, or is another file.
+    """
+    folder = named.parent if named.name == SENSOR_FILE else named
+    if not (folder / SENSOR_FILE).exists():
+        raise InputError(
+            "{path} is no sensor: name a sensor.json, or the folder that holds one.", path=named
+        )
+    return folder
+
+
 def read_sensor(folder: Path) -> Sensor:
     """Read the sensor of a folder, for example of one view of a session.
+
+    Parameters
+    ----------
+    folder
+        Or its sensor.json.
 
     Raises
     ------
     InputError
         When a file is missing, or violates the format.
     """
+    folder = folder_of_sensor(folder)
     path = folder / SENSOR_FILE
-    if not path.exists():
-        raise InputError(
-            "{path} does not exist; name a folder that holds a sensor.json.", path=path
-        )
     return _sensor_of(JsonObject.read(path), folder)
 
 

@@ -102,8 +102,8 @@ class MeasuredSession:
             )
         if side is not None and side not in sides:
             raise UsageError(
-                "The {side} foot is asked for, by --side, --other or the prescription, but {path} "
-                "was recorded as the {recorded} foot; correct the call.",
+                "The {side} foot is asked for, but {path} was recorded as the {recorded} foot; ask "
+                "for that one, or name the recording of the other.",
                 side=side,
                 path=self.path,
                 recorded=sides[0],

@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--sensor", type=Path, required=True, metavar="sensor.json",
-        help="the sensor's calibration, for example of a view of a session",
+        help="the sensor's calibration, for example of a view of a session; or its folder",
     )  # fmt: skip
     parser.add_argument(
         "--out", action=OutputPath, metavar="reference.npz", help="write the pattern"
@@ -111,9 +111,14 @@ def _learn(arguments: argparse.Namespace, progress: Progress) -> None:
 def _sensor_of(named: Path) -> tuple[Sensor, tuple[float, float]]:
     """Return the sensor of a sensor.json or of its folder, and the shift of its pictures."""
     from insole_core.json_object import JsonObject
-    from insole_core.recording.sensor_folder import SENSOR_FILE, infrared_shift_px, read_sensor
+    from insole_core.recording.sensor_folder import (
+        SENSOR_FILE,
+        folder_of_sensor,
+        infrared_shift_px,
+        read_sensor,
+    )
     from insole_core.workflows.calibration.sensor_store import delivering_raw_numbers
 
-    folder = named.parent if named.name == SENSOR_FILE else named
+    folder = folder_of_sensor(named)
     sensor = delivering_raw_numbers(read_sensor(folder))
     return sensor, infrared_shift_px(JsonObject.read(folder / SENSOR_FILE)) or (0.0, 0.0)

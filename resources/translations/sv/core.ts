@@ -4384,8 +4384,8 @@
             <translation>Foten ({side}) har den andra fotens form ({other}); kontrollera vilken fot som skannades, och öppna skanningen igen som den andra foten om sidan är fel.</translation>
         </message>
         <message>
-            <source>The {side} foot is asked for, by --side, --other or the prescription, but {path} was recorded as the {recorded} foot; correct the call.</source>
-            <translation>{side} fot begärs, genom --side, --other eller ordinationen, men {path} spelades in som {recorded} fot; rätta anropet.</translation>
+            <source>The {side} foot is asked for, but {path} was recorded as the {recorded} foot; ask for that one, or name the recording of the other.</source>
+            <translation>{side} fot begärs, men {path} spelades in som {recorded} fot; begär den, eller ange inspelningen av den andra.</translation>
         </message>
         <message>
             <source>The {side} foot reaches out of its volume, so part of it is missing or of the other foot; put each foot in the middle of its place, where they neither touch nor cross, and capture them again.</source>
@@ -9604,10 +9604,6 @@
             <translation>{path} finns inte; kontrollera namnet.</translation>
         </message>
         <message>
-            <source>{path} does not exist; name a folder that holds a sensor.json.</source>
-            <translation>{path} finns inte; ange en mapp som innehåller en sensor.json.</translation>
-        </message>
-        <message>
             <source>{path} does not say how many sensels there are and how large they are; export it again.</source>
             <translation>{path} anger inte hur många sensorer det finns och hur stora de är; exportera den på nytt.</translation>
         </message>
@@ -9874,6 +9870,10 @@
         <message>
             <source>{path} is no scan that can be read; hand in a file of one of the formats {suffixes}.</source>
             <translation>{path} är ingen skanning som kan läsas; ange en fil i något av formaten {suffixes}.</translation>
+        </message>
+        <message>
+            <source>{path} is no sensor: name a sensor.json, or the folder that holds one.</source>
+            <translation>{path} är ingen sensor: ange en sensor.json, eller mappen som innehåller en.</translation>
         </message>
         <message>
             <source>{path} is no table of text; save it again as CSV UTF-8.</source>

@@ -325,6 +325,20 @@ def test_a_spoilt_or_foreign_reference_is_refused(
         assert sentence in last_line()
 
 
+def test_a_sensor_is_named_by_its_file_or_its_folder(
+    learnt: Learnt, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    other = learnt.walls / "infrared_00.png"
+    for named in (other, tmp_path, tmp_path / "sensor.json"):
+        call = ["calibrate", "infrared", str(learnt.walls), "--sensor", str(named)]
+        assert run([*call, "--check", str(learnt.out)]) == 1
+        told = capsys.readouterr().err
+        assert f"{named} is no sensor: name a sensor.json, or the folder that holds one." in told
+    for named in (learnt.sensor, learnt.sensor.parent):
+        call = ["calibrate", "infrared", str(learnt.walls), "--sensor", str(named)]
+        assert run([*call, "--check", str(learnt.out)]) == 0
+
+
 def test_a_stereo_camera_has_no_such_pattern(
     learnt: Learnt, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
