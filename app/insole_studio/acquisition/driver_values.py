@@ -16,6 +16,7 @@ from kinect_v1.errors import BandwidthError, KinectError, NoSensorError
 
 _MM_PER_CM = 10.0
 log = logging.getLogger(__name__)
+log.addHandler(logging.NullHandler())  # a command tells the error itself, a window has a log
 
 
 def factory_sensor(

@@ -49,6 +49,7 @@ _EYES: tuple[Eye, Eye] = ("left", "right")
 _GRID_PX = 40
 """Pixels between the places at which a lens is compared."""
 log = logging.getLogger(__name__)
+log.addHandler(logging.NullHandler())  # a command tells the error itself, a window has a log
 
 
 @contextmanager

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import ExitStack, closing
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -109,6 +109,7 @@ def _capture(arguments: argparse.Namespace, progress: Progress, held: ExitStack)
     sensors = _open_sensors(rig, request, left)
     with ExitStack() as opened:
         opened.callback(close_sensors, sensors.values())
+        _check_camera_options(arguments, sensors.values())
         if request.bursts > 1:
             without_motor = lacking(sensors.values(), Capability.TILT)
             request = replace(request, without_motor=without_motor)
@@ -152,6 +153,24 @@ def _open_sensors(rig: Rig, request: PlanRequest, left: Draft | None) -> dict[st
         if left is None:
             raise
         raise _with_draft(error, left) from error
+
+
+def _check_camera_options(arguments: argparse.Namespace, sensors: Iterable[OpenSensor]) -> None:
+    """Refuse what can be set of RealSense cameras where none of the sensors has it."""
+    from insole_studio.acquisition.messages import Capability
+
+    able = {capability for sensor in sensors for capability in sensor.capabilities}
+    given = {
+        "--preset": (arguments.preset, Capability.PRESET),
+        "--laser-power": (arguments.laser_power, Capability.LASER),
+        "--infrared-pair": (arguments.infrared_pair, Capability.HAS_PAIR),
+    }
+    for option, (value, needed) in given.items():
+        if value is not None and needed not in able:
+            raise UsageError(
+                f"{option} is for RealSense cameras that can be set so, and none of the sensors "
+                "is one; leave it out."
+            )
 
 
 def _request(

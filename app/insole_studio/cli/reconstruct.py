@@ -67,6 +67,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         raise UsageError(f"--out is {arguments.out}, but the foot is written as .ply.")
     if arguments.depth == "infrared" and arguments.method != "fused":
         raise UsageError("--depth infrared is for --method fused; leave one of them out.")
+    if arguments.sensors is not None and not arguments.sensors.is_dir():
+        raise UsageError(f"--sensors is {arguments.sensors}, and no such folder is there; name it.")
     start = time.perf_counter()
     # Imported here, so that usage errors are reported at once.
     from insole_core.files.atomic import write_text

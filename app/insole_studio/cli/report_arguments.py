@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -96,12 +97,15 @@ def _limits_of(arguments: argparse.Namespace, section: str) -> Limits:
 def _limit(text: str) -> tuple[str, float]:
     key, _, number = text.partition("=")
     try:
-        return key, float(number)
+        limit = float(number)
     except ValueError:
+        limit = math.nan
+    if not 0 <= limit < math.inf:
         raise UsageError(
             f'--limit is "{text}"; give the key of a number of the report and its limit, for '
-            "example mean_abs_mm_raw=2.5."
-        ) from None
+            "example mean_abs_mm_raw=2.5, from 0 on."
+        )
+    return key, limit
 
 
 def add_evaluation_arguments(

@@ -103,7 +103,7 @@ def _add_infrared_arguments(parser: argparse.ArgumentParser) -> None:
         help="with the infrared pictures of the Kinects' dots",
     )  # fmt: skip
     parser.add_argument(
-        "--infrared-frames", type=whole, default=6, metavar="N",
+        "--infrared-frames", type=whole, metavar="N",
         help="infrared pictures a view (default 6)",
     )  # fmt: skip
     parser.add_argument(
@@ -117,7 +117,7 @@ def _add_infrared_arguments(parser: argparse.ArgumentParser) -> None:
         "infrared: a folder for each, named by its serial number",
     )  # fmt: skip
     parser.add_argument(
-        "--wall-count", type=whole, default=12, metavar="N",
+        "--wall-count", type=whole, metavar="N",
         help="walls before a sensor (default 12)",
     )  # fmt: skip
     parser.add_argument(
@@ -138,6 +138,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     check_session_target(arguments.out)
     if not arguments.infrared and (arguments.walls or arguments.learnt_from is not None):
         raise UsageError("--walls and --learnt-from are for infrared pictures; add --infrared.")
+    if arguments.wall_count is not None and not arguments.walls:
+        raise UsageError("--wall-count is for the walls of --walls; name their folder, too.")
+    if arguments.infrared_frames is not None and not arguments.infrared:
+        raise UsageError("--infrared-frames is for infrared pictures; add --infrared.")
     both = arguments.side == BOTH
     if arguments.sensors is not None and not both:
         raise UsageError("--sensors is for both feet; add --side both, or leave it out.")
@@ -156,11 +160,13 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         ideal=arguments.ideal,
         sensors=4 if arguments.sensors is None else arguments.sensors,
         body=_body(arguments),
-        infrared_frames=arguments.infrared_frames if arguments.infrared else 0,
+        infrared_frames=_given_or(arguments.infrared_frames, 6) if arguments.infrared else 0,
         disturbances=tuple(arguments.disturbed),
     )
     if arguments.walls:
-        write_walls(options, arguments.wall_count, arguments.walls, progress.part(0.0, 0.4))
+        write_walls(
+            options, _given_or(arguments.wall_count, 12), arguments.walls, progress.part(0.0, 0.4)
+        )
     simulated = simulate_session(options, progress.part(0.4, 0.6))
     session = simulated.session
     if arguments.learnt_from is not None:
@@ -173,6 +179,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         progress.part(0.8, 1.0),
     )
     progress.step(1.0, f"Done: {arguments.out}")
+
+
+def _given_or(given: int | None, default: int) -> int:
+    return default if given is None else given
 
 
 def _body(arguments: argparse.Namespace) -> KnownBody | None:

@@ -8,6 +8,8 @@ import json
 import os
 import shutil
 import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import replace
@@ -268,6 +270,9 @@ def test_an_unknown_sensor_leaves_nothing(
     call = ["capture", "--emulate", str(small_session), "--out", str(out), "--views", "left=Z9"]
     assert run(call) == 1
     assert "No sensor has the number Z9" in last_line(capsys)
+    program = [sys.executable, "-m", "insole_studio", *call]
+    ended = subprocess.run(program, capture_output=True, text=True, check=False)
+    assert ended.stderr.count("No sensor has the number Z9") == 1, "its log says it no second time"
     assert not out.exists()
     assert not (tmp_path / "drafts").exists()
 
@@ -290,6 +295,9 @@ def test_no_sensor_at_all(
         (["--views", "left"], "names no view and sensor"),
         (["--frames", "0"], "0 frames were asked for"),
         (["--views", "left=A", "right=A", "--simultaneous"], "both given to sensor A"),
+        (["--laser-power", "5"], "--laser-power is for RealSense cameras"),
+        (["--preset", "high-density"], "--preset is for RealSense cameras"),
+        (["--no-infrared-pair"], "--infrared-pair is for RealSense cameras"),
     ],
 )
 def test_wrong_calls(

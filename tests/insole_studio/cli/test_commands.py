@@ -267,6 +267,25 @@ def test_walls_are_for_infrared_pictures(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (["simulate", "{tmp}/s", "--wall-count", "3"], "--wall-count is for the walls of --walls"),
+        (["simulate", "{tmp}/s", "--infrared-frames", "3"], "--infrared-frames is for infrared"),
+        (
+            ["reconstruct", str(SMALL_SESSION), "--out", "{tmp}/f.ply", "--sensors", "{tmp}/no"],
+            "no such folder is there",
+        ),
+    ],
+)
+def test_an_option_without_effect_is_refused(
+    call: list[str], words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run([word.format(tmp=tmp_path) for word in call]) == 2
+    assert words in last_line(capsys)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_existing_output_survives_a_failure(tmp_path: Path) -> None:
     out = tmp_path / "foot.ply"
     out.write_text("of yesterday")

@@ -319,6 +319,8 @@ WRONG_CALLS = {
     "no object": (["object", "{walls}"], "Name the known object"),
     "no board": (["alignment", "{walls}"], "needs --board and --square"),
     "limit without number": (["wall", "{walls}", "--limit", "mean"], "give the key of a number"),
+    "limit below 0": (["wall", "{walls}", "--limit", "mean_abs_mm_raw=-1"], "from 0 on"),
+    "no limit": (["wall", "{walls}", "--limit", "mean_abs_mm_raw=nan"], "from 0 on"),
     "report of no kind": (["wall", "{walls}", "--report", "a.txt"], "let it end in"),
 }
 
