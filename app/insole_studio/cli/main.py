@@ -19,6 +19,7 @@ from typing import Any, TextIO
 from insole_core.errors import InsoleError, UsageError
 from insole_core.files.journal import settle_interrupted
 from insole_core.files.temporary import state_folder_of_user
+from insole_core.files.write_errors import FULL
 from insole_core.progress import Progress
 from insole_core.visible_text import VisibleRecord, visible, visible_line
 from insole_studio.cli import (
@@ -137,7 +138,7 @@ def _exit_code(arguments: list[str], stop: StopRequest) -> int:
     except BrokenPipeError:
         return _left_by_reader()
     except OSError as error:
-        return _report(error, _reason(error))
+        return _disk_is_full() if error.errno in FULL else _report(error, _reason(error))
     except Exception as error:  # noqa: BLE001 - the last line must be a sentence, whatever happened
         return _report_unexpected(error)
     return 0
@@ -173,8 +174,24 @@ def _with_command(arguments: list[str]) -> list[str]:
 
 def _left_by_reader() -> int:
     """End as other programs do when the reader of a pipe, such as head, has read enough."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the flush at the exit
+    _drop_output()
     return 128 + _SIGPIPE
+
+
+def _disk_is_full() -> int:
+    """Tell it, as what is printed may go to a disk as well; nobody has to report that."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        _drop_output()
+    print("The disk is full, so not all could be written; free some space and try again.",
+          file=sys.stderr)  # fmt: skip
+    return 1
+
+
+def _drop_output() -> None:
+    """Let what is not printed yet go nowhere, for the flush at the exit."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _reason(error: OSError) -> str:

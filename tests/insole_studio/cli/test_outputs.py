@@ -288,6 +288,17 @@ def test_a_disk_that_fails_is_not_an_error_in_the_program(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full device")
+def test_what_is_printed_to_a_full_disk_is_told_in_one_sentence() -> None:
+    """Also as the program ends, where Python writes what it still has."""
+    call = [sys.executable, "-m", "insole_studio", "devices"]
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(call, check=False, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 1
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("The disk is full, so not all could be written; free some space")
+
+
 def test_a_file_of_the_program_that_is_missing_leaves_a_trace(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
