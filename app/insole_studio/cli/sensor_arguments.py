@@ -116,7 +116,8 @@ def _named_sensor(arguments: argparse.Namespace) -> Sensor:
         return read_sensor(arguments.sensor)
     if not arguments.serial:
         print(
-            "No sensor is named (--serial or --sensor); the usual numbers of a Kinect v1 are used.",
+            "No sensor is named (--serial or --sensor); the numbers that Burrus published for a "
+            "Kinect v1 are used, whose depths are about 5 % less than those of a calibrated one.",
             file=sys.stderr,
         )
         return nominal_kinect("")

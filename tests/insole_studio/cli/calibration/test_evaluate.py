@@ -13,11 +13,13 @@ import pytest
 from simulated_device import CAMERA, DISPARITY, WALLS, SimulatedDevice, wall
 from simulated_folders import BOARD_CALL, SENSOR, write_boards, write_walls
 
+from insole_core.calibration.plausibility import USUAL_DEPTH
 from insole_core.calibration.walls.wall_plane import plane_rows
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.transforms import rotation_angle_deg
 from insole_core.recording.reader import read_session
 from insole_core.recording.sensor_folder import write_sensor
+from insole_core.sensing.sensor import nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.cli.main import run
 
@@ -382,3 +384,14 @@ def test_real_walls_left_out(shared_data: Path, tmp_path: Path) -> None:
     default = [float(row["mean abs"]) for row in rows if row["correction"] == "default"]
     for error_mm, limit_mm in zip(default[2:], [0.80, 0.80, 0.80, 1.05], strict=True):
         assert error_mm <= limit_mm
+
+
+def test_whose_numbers_are_used_without_a_sensor_is_told(
+    one_wall, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["evaluate", "wall", str(one_wall)]) == 0
+    said = "that Burrus published for a Kinect v1 are used, whose depths are about 5 % less"
+    assert said in capsys.readouterr().err
+    usual_mm = np.array([500.0, 700.0, 1000.0])
+    share = nominal_kinect("").disparity.depth_mm(USUAL_DEPTH.raw(usual_mm)) / usual_mm
+    assert share == pytest.approx(0.95, abs=0.01)
