@@ -108,6 +108,22 @@ def whole(text: str) -> int:
     return value
 
 
+def positive(text: str) -> float:
+    """Convert an argument to a number above nothing."""
+    value = number(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError(f"{_cut(text)} is not above 0")
+    return value
+
+
+def from_one(text: str) -> int:
+    """Convert an argument to a whole number from 1 on."""
+    value = whole(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{_cut(text)} is less than 1")
+    return value
+
+
 def _cut(text: str) -> str:
     return text if len(text) <= _LONGEST_NUMBER else f"{text[:_LONGEST_NUMBER]}…"
 

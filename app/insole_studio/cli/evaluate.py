@@ -15,7 +15,7 @@ from insole_studio.cli import (
     evaluate_reference_foot,
     evaluate_repeat,
 )
-from insole_studio.cli.argument_parser import Command, Step, add_steps, number
+from insole_studio.cli.argument_parser import Command, Step, add_steps, positive
 from insole_studio.cli.board_arguments import add_board_arguments, read_correspondences
 from insole_studio.cli.report_arguments import add_evaluation_arguments, check_reports, conclude
 from insole_studio.cli.sensor_arguments import evaluated_lattice, evaluated_sensor
@@ -171,10 +171,18 @@ def _add_artefact_arguments(parser: argparse.ArgumentParser) -> None:
         judged_by_default=True,
     )
     parser.add_argument(
-        "--diameter", type=number, required=True, metavar="MM", help="true diameter of the spheres"
+        "--diameter",
+        type=positive,
+        required=True,
+        metavar="MM",
+        help="true diameter of the spheres",
     )
     parser.add_argument(
-        "--spacing", type=number, required=True, metavar="MM", help="true distance of their centres"
+        "--spacing",
+        type=positive,
+        required=True,
+        metavar="MM",
+        help="true distance of their centres",
     )
 
 
@@ -220,7 +228,7 @@ ARTEFACT = Step(
 def _add_noise_arguments(parser: argparse.ArgumentParser) -> None:
     add_evaluation_arguments(parser, "the raw depth images of a still scene, in order of time")
     parser.add_argument(
-        "--every", type=number, metavar="SECONDS",
+        "--every", type=positive, metavar="SECONDS",
         help="time from one image to the next: also follow the warm-up",
     )  # fmt: skip
 

@@ -14,7 +14,7 @@ from insole_core.formats.file_formats import can_carry, carriers
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli import devices, print_arguments
-from insole_studio.cli.argument_parser import number, whole
+from insole_studio.cli.argument_parser import from_one, number
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     shape.add_argument(
         "--relief", choices=["engraved", "raised"], default="engraved", help="of --mark"
     )
-    shape.add_argument("--triangles", type=whole, metavar="N", help="at most so many triangles")
+    shape.add_argument("--triangles", type=from_one, metavar="N", help="at most so many triangles")
     shape.add_argument(
         "--deviation", type=number, default=0.05, metavar="MM", help="for --triangles"
     )

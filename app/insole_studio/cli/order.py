@@ -16,7 +16,7 @@ from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
-from insole_studio.cli.argument_parser import Command, Step, add_steps, day, whole
+from insole_studio.cli.argument_parser import Command, Step, add_steps, day, from_one
 from insole_studio.cli.order_nest import NEST
 from insole_studio.cli.path_arguments import OutputPath, require_each_once
 from insole_studio.cli.records.arguments import add_language, wording_of
@@ -49,13 +49,13 @@ def _add_create_arguments(parser: argparse.ArgumentParser) -> None:
     names = [suffix[1:] for suffix in SOLID_SUFFIXES]
     parser.add_argument("--format", choices=names, default="stl")
     parser.add_argument(
-        "--triangles", type=whole, default=40_000, metavar="N", help="at most (default: 40000)"
+        "--triangles", type=from_one, default=40_000, metavar="N", help="at most (default: 40000)"
     )
     parser.add_argument(
         "--dxf", action="store_true", help="outlines of insole, cover, block and shoe, too"
     )
     terms = parser.add_argument_group("what is ordered")
-    terms.add_argument("--quantity", type=whole, default=1, metavar="N", help="of each pair")
+    terms.add_argument("--quantity", type=from_one, default=1, metavar="N", help="of each pair")
     terms.add_argument("--material", default="", metavar="TEXT")
     terms.add_argument("--colour", default="", metavar="TEXT")
     terms.add_argument("--cover", default="", metavar="TEXT", help="what is glued on top")

@@ -182,3 +182,6 @@ def test_the_schedule_of_the_station_is_told_and_changed(
     settings = load_settings(paths.settings_file)
     assert (settings.backup_folder, settings.backup_day) == (str(tmp_path), "4")
     assert command("schedule", "--hour", "24") == 2
+    assert command("schedule", "--folder", str(tmp_path / "none" / "x")) == 2
+    assert "where no folder is; connect its disk" in capsys.readouterr().err
+    assert load_settings(paths.settings_file).backup_folder == str(tmp_path)

@@ -467,3 +467,22 @@ def test_both_feet_of_a_session_are_designed_in_one_go(
     assert [path.name for path in sorted(tmp_path.iterdir())] == [
         "insole_left.stl", "insole_right.stl",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["evaluate", "noise", "still", "--every", "0"], "--every: 0 is not above 0"),
+        (["evaluate", "noise", "still", "--every", "-3"], "--every: -3 is not above 0"),
+        (["design", "f.ply", "--out", "i.stl", "--triangles", "0"], "--triangles: 0 is less than"),
+        (["order", "create", "c", "--out", "o", "--triangles", "0"], "--triangles: 0 is less than"),
+        (["order", "create", "c", "--out", "o", "--quantity", "0"], "--quantity: 0 is less than 1"),
+    ],
+)
+def test_a_number_that_cannot_be_is_refused_before_anything_is_read(
+    words: list[str], told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        run(words)
+    assert ended.value.code == 2
+    assert told in capsys.readouterr().err

@@ -193,6 +193,10 @@ def _run_schedule(arguments: argparse.Namespace, _progress: Progress) -> None:
     kinds = get_args(BackupKeep)
     if arguments.keep not in (None, *kinds):
         raise UsageError(f"--keep is {arguments.keep}, and must be {joined(kinds, ' or ')}.")
+    if arguments.folder is not None and not arguments.folder.is_dir():
+        raise UsageError(
+            f"--folder is {arguments.folder}, where no folder is; connect its disk or make it."
+        )
     path = UserPaths.of_user().settings_file
     with opened(arguments, Right.BACK_UP) as records:
         settings = load_settings(path)
