@@ -293,12 +293,16 @@ def is_of_other_side(foot: Foot) -> bool:
 
 def _shows_other_side(foot: Foot) -> bool:
     points, other = surface_points(foot.mesh), foot.side.other
-    rough = {pose.side: pose.side_dissimilarity for pose in turned_poses(points, np.eye(3))}
-    if rough[other] > NO_FOOT:
-        return False
-    ratio = rough[foot.side] / rough[other]
-    if not 1 < ratio <= CLEAR:  # as nearly always
-        return ratio > CLEAR
+    ahead, back = (
+        {pose.side: pose.side_dissimilarity for pose in turned_poses(points, rotation)}
+        for rotation in (np.eye(3), np.diag([-1.0, -1.0, 1.0]))
+    )
+    ratio = ahead[foot.side] / ahead[other]
+    # One that was turned by hand with its toes back looks like the other foot until it is mended.
+    if ahead[other] > NO_FOOT or min(ahead[foot.side], back[foot.side]) <= ahead[other]:
+        return False  # as nearly always
+    if ratio > CLEAR:
+        return True
     poses = _as_it_lies(points, np.eye(4))
     try:
         own, opposite = (

@@ -8,7 +8,7 @@ from typing import Literal
 
 import pytest
 
-from insole_core.foot.alignment import PoseAngles, pose_angles, turned
+from insole_core.foot.alignment import PoseAngles, pose_angles, quarter_turned, turned
 from insole_core.foot.contact_tilt import contact_tilt
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_placement import is_of_other_side, place_foot
@@ -62,6 +62,11 @@ def test_a_foot_of_the_other_side_is_told_whoever_insisted_on_it(
     assert not any("has the shape of" in w for w in warnings(replace(foot, mirrored=True)))
     assert not any("has the shape of" in w for w in warnings(replace(foot, form=Form.IMPRINT)))
     assert not any("has the shape of" in w for w in warnings(foot.mirror_image()))
+
+
+def test_a_foot_that_was_turned_by_hand_is_not_taken_for_the_other_one(left_foot: Foot) -> None:
+    turns = [(axis, quarters) for axis in range(3) for quarters in (1, 2, 3)]
+    assert not any(is_of_other_side(quarter_turned(left_foot, *turn)) for turn in turns)
 
 
 @pytest.mark.slow
