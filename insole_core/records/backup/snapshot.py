@@ -180,12 +180,18 @@ def open_snapshot(folder: Path, secret: str, number: int | None = None) -> Opene
     backups = BackupFolder(folder)
     head = backups.head()
     snapshots = {snapshot.number: snapshot for snapshot in backups.snapshots()}
-    if not snapshots or (number is not None and number not in snapshots):
+    if not snapshots:
+        raise InputError(
+            "{folder} holds no finished backup, since the first one was broken off; back the "
+            "record up to it again, or choose another folder.",
+            folder=folder,
+        )
+    if number is not None and number not in snapshots:
         raise InputError(
             "{folder} holds no snapshot {number}; it has: {numbers}.",
             folder=folder,
-            number="" if number is None else number,
-            numbers=joined(map(str, snapshots)) if snapshots else "-",
+            number=number,
+            numbers=joined(map(str, snapshots)),
         )
     reader = BackupReader(backups, open_key(head.locked, secret))
     newest = snapshots[max(snapshots)]

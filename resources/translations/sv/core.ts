@@ -9128,6 +9128,10 @@
             <translation>{folder} innehåller inga fallfiler ({suffix}); välj en annan mapp.</translation>
         </message>
         <message>
+            <source>{folder} holds no finished backup, since the first one was broken off; back the record up to it again, or choose another folder.</source>
+            <translation>{folder} har ingen färdig säkerhetskopia, eftersom den första avbröts; säkerhetskopiera journalen dit igen, eller välj en annan mapp.</translation>
+        </message>
+        <message>
             <source>{folder} holds no infrared_00.png; name the folder with the infrared pictures of walls.</source>
             <translation>{folder} innehåller ingen infrared_00.png; ange mappen med de infraröda bilderna av väggar.</translation>
         </message>

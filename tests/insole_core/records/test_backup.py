@@ -434,6 +434,11 @@ def test_a_disk_that_gets_full_while_it_encrypts_is_told(
         back_up(context, folder)
     monkeypatch.setattr(backup_folder._HashingFile, "write", written)
     assert objects_of(folder) == []
+    for number in (None, 1):
+        with pytest.raises(InputError, match="holds no finished backup, since the first one was"):
+            open_snapshot(folder, SECRET, number)
+    back_up(context, folder)
+    assert check_backup(folder, SECRET).is_sound
 
 
 def test_a_disk_that_does_not_keep_what_is_written_is_told(
