@@ -80,7 +80,10 @@ def _read_feet(arguments: argparse.Namespace, progress: Progress) -> list[Scanne
         return [foot_argument.read_scan(arguments.foot, side, arguments, progress)]
     first = foot_argument.read_scan(arguments.foot, side, arguments, progress.part(0.0, 0.5))
     progress, other = progress.part(0.5, 1.0), first.foot.side.other
-    return [first, foot_argument.read_scan(arguments.other, other, arguments, progress)]
+    try:
+        return [first, foot_argument.read_scan(arguments.other, other, arguments, progress)]
+    except UsageError as error:
+        raise UsageError(f"--other: {error}") from error
 
 
 def _table(feet: Sequence[ScannedFoot], measured: Sequence[MeasuredFoot]) -> list[MeasureRow]:
