@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -364,7 +364,7 @@ class SceneView(QWidget):
 
         Else Qt leaves a black line between what it draws itself and what OpenGL has drawn.
         """
-        step = Fraction(self.devicePixelRatioF()).limit_denominator(MOST_STEPS).denominator
+        step = _pixels_per_step(self.devicePixelRatioF())
         corner = self.mapTo(self.window(), QPoint(0, 0))
         left, right = _margins(corner.x(), self.width(), step)
         top, bottom = _margins(corner.y(), self.height(), step)
@@ -636,6 +636,12 @@ class SceneView(QWidget):
         """Return the ways (n, 2) from a position to handles, px."""
         places = np.array([handle.position_mm for handle in handles])
         return np.asarray(self.look.pixels_of(places) - (position.x(), position.y()))
+
+
+@cache
+def _pixels_per_step(ratio: float) -> int:
+    """Return the least number of the window's pixels that are whole pixels of the screen."""
+    return Fraction(ratio).limit_denominator(MOST_STEPS).denominator
 
 
 def _margins(start: int, length: int, step: int) -> tuple[int, int]:

@@ -221,17 +221,19 @@ class LoadedVertices:
     sole
     xy : (n, 2) float64, mm, insole frame
         Of all vertices of the surface.
-    nodes : (n, 4) int64
-        Of the grid, those about each vertex, the nearest first; where nothing can press, nodes of
-        no meaning.
-    weights : (n, 4) float64
+    can_press : (p,) int64
+        Those vertices at which something can press.
+    nodes : (p, 4) int64
+        Of the grid, those about each of these vertices, the nearest first.
+    weights : (p, 4) float64
         Of these nodes.
-    colors : (4, n) int64
-        For each `Shown`, which of `_load_colors` they have; that of none where nothing can press.
+    colors : (4, p) int64
+        For each `Shown`, which of `_load_colors` these vertices have.
     """
 
     sole: Sole
     xy: FloatArray
+    can_press: IntArray
     nodes: IntArray
     weights: FloatArray
     colors: IntArray
@@ -240,19 +242,19 @@ class LoadedVertices:
     def of(cls, sole: Sole, vertices: FloatArray, where: BoolArray) -> LoadedVertices:
         """Return those of a surface, with vertices (n, 3), of which (n,) can be pressed."""
         xy = vertices[:, :2].copy()
-        x, y = xy.T
         shares = sole.field.weights_at(xy)
         weights = shares.data.reshape(-1, 4)
-        nodes: IntArray = shares.indices.astype(np.int64).reshape(-1, 4)
-        can_press = where & np.isfinite(weights[:, 0])
+        (can_press,) = np.nonzero(where & np.isfinite(weights[:, 0]))
+        weights = weights[can_press]
+        nodes: IntArray = shares.indices.astype(np.int64).reshape(-1, 4)[can_press]
         nearest_first = np.argsort(-weights, axis=1)
         weights = np.take_along_axis(weights, nearest_first, axis=1)
         nodes = np.take_along_axis(nodes, nearest_first, axis=1)
-        colors = np.tile(_FIRST[:, None], len(xy))
+        x, y = xy[can_press].T
+        colors = np.tile(_FIRST[:, None], len(can_press))
         colors[Shown.NEWLY] += (y // _STRIPE_MM % 2).astype(np.int64)
         colors[Shown.UNTOLD] += ((x + y) // (_SLANTED * _STRIPE_MM) % 2).astype(np.int64)
-        colors[:, ~can_press] = _FIRST[Shown.IDLE]
-        return cls(sole, xy, nodes, weights, colors)
+        return cls(sole, xy, can_press, nodes, weights, colors)
 
     def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
         """Return whether vertices (n, 3) of the same surface still lie there."""
@@ -267,16 +269,20 @@ class LoadedVertices:
             Names of the regions of which nothing can be told.
         """
         nearest = self.nodes[:, 0]
-        shown = change.shown(untold).ravel()[nearest]
+        shown = change.shown(untold).take(nearest)
         colors = self.colors[shown, np.arange(len(shown))]
-        (told,) = np.nonzero(colors == _FIRST[Shown.PERCENT])
         percent = change.percent.ravel()
-        at = (percent[self.nodes[told]] * self.weights[told]).sum(axis=1)
-        at = np.where(np.isnan(at), percent[nearest[told]], at)  # beside what has no figure
+        at = np.einsum("ij,ij->i", percent.take(self.nodes), self.weights)
+        at = np.where(np.isnan(at), percent.take(nearest), at)  # beside what has no figure
+        is_told = shown == Shown.PERCENT
+        at = at[is_told]
         steps = (np.clip(at, -MOST_SHOWN, MOST_SHOWN) / MOST_SHOWN + 1) / 2 * (_STEPS - 1)
-        colors[told] = np.rint(steps).astype(np.int64)
+        colors[is_told] = np.rint(steps).astype(np.int64)
+        table = _load_colors()
+        painted = np.tile(table[_FIRST[Shown.IDLE]], (len(self.xy), 1))
+        painted[self.can_press] = table.take(colors, axis=0)
         values = np.full(len(self.xy), np.nan)
-        values[told] = at
+        values[self.can_press[is_told]] = at
         return Coloring(
             values,
             (-MOST_SHOWN, MOST_SHOWN),
@@ -284,7 +290,7 @@ class LoadedVertices:
             signed=True,
             unit="%",
             is_clipped=True,
-            painted=_load_colors().take(colors, axis=0),
+            painted=painted,
             swatches=tuple(_load_swatches().values()),
         )
 

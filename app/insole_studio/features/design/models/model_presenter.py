@@ -651,6 +651,8 @@ class InsolePresenter(ModelPresenter):
         self._contours = True
         self._shoe = False
         self._shoe_lines: GuideLines | None = None
+        self._drawn: TriangleMesh | None = None
+        """The mesh that the panel shows."""
         self._loaded: tuple[tuple[Change, tuple[str, ...]], Coloring] | None = None
         """What the colours by the change of the pressure were last made of, and they themselves."""
         self._shoe_of: tuple[object, ...] | None = None
@@ -701,6 +703,8 @@ class InsolePresenter(ModelPresenter):
         mesh, normals = self._surface.mesh, self._surface.normals
         if self._map is not MapKind.LOAD or mesh is None or normals is None:
             return
+        if mesh is not self._drawn:
+            return  # the insole has changed too: it is about to be shown, in these colours
         if not self.panel.move_mesh(mesh, normals, _NO_VERTEX, self._coloring()):
             self._show_mesh_anew()
 
@@ -803,6 +807,7 @@ class InsolePresenter(ModelPresenter):
             self._contoured = None, False
             self._show_why_empty()
         elif self.panel.move_mesh(mesh, normals, self._surface.moved, self._coloring()):
+            self._drawn = mesh
             self._show_contours()
             self.show_marks()
         else:
@@ -813,6 +818,7 @@ class InsolePresenter(ModelPresenter):
         if mesh is None or side is None:
             return
         self.panel.show_mesh(mesh, self._coloring())
+        self._drawn = mesh
         self._show_directions()
         self._show_contours()
         self.show_marks()
