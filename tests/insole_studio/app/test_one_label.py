@@ -89,7 +89,7 @@ def test_the_pointer_tells_a_place_by_the_names_of_its_fields(
     view.hovered.emit(PointerEvent(Phase.MOVE, Subject.FOOT, view.look, (0.0, 0.0), place))
     labels = [label for label, _ in Spot.each]
     medial = {Side.LEFT: "3.0", Side.RIGHT: "-3.0"}[side]
-    assert told == [f"{labels[0]} {medial}   {labels[1]} 153.3   Height 6.0 mm"]
+    assert told == [f"{labels[0]} {medial} mm   {labels[1]} 153.3 mm   Height 6.0 mm"]
 
 
 def status_texts(app: Application) -> list[str]:

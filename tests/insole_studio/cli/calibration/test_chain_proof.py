@@ -128,6 +128,7 @@ def test_where_nothing_is_learnt_there_is_nothing_to_choose(
     for row in tables["Single readings of each sensor, in the place that fits it alone"]:
         assert row["mean without"] == row["mean learnt"]
     foot = ["reconstruct", str(session), "--out", str(tmp_path / "ball.ply")]
+    sensors.mkdir()
     assert run([*foot, "--correction", "learnt", *words]) == 0
     assert "Warning: No correction is learnt for sensors of" in capsys.readouterr().err
     assert json.loads(report.read_text())["correction"]["used"] == "none"

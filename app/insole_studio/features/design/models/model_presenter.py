@@ -804,7 +804,7 @@ class InsolePresenter(ModelPresenter):
         mesh, normals = self._surface.mesh, self._surface.normals
         self._show_shoe()
         if mesh is None or normals is None:
-            self._contoured = None, False
+            self._contoured, self._drawn = (None, False), None
             self._show_why_empty()
         elif self.panel.move_mesh(mesh, normals, self._surface.moved, self._coloring()):
             self._drawn = mesh
