@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Final
 
 import numpy as np
 
@@ -13,14 +12,12 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import without_noise
 from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import inverse
+from insole_core.geometry.transforms import MIRROR, inverse
 from insole_core.imprints.form import Form
 from insole_core.memo import Memo
 
 DISPLAY = "display"
 """Kind of the surface for display in the cache of a foot."""
-_MIRROR: Final = np.diag([-1.0, 1.0, 1.0, 1.0])
-"""In the plane x = 0, which holds the foot axis."""
 _KEPT, _LEAST_KEPT, _MOST_BYTES = 8, 2, 96_000_000
 """Results of a kind: enough to change between a clinic's devices, on fine grids between two."""
 
@@ -87,10 +84,11 @@ class Foot:
         """
         mesh, measured, even = self.mesh.mirrored(), self.measured, self.even.mirrored()
         steady = mesh if measured is self.mesh else measured.mirrored()
+        mirror = np.diag([*MIRROR, 1.0])  # in the plane that holds the foot axis
         foot = Foot(
             self.side.other,
             mesh,
-            _MIRROR @ self.source2insole @ _MIRROR,  # that of the mirrored scan
+            mirror @ self.source2insole @ mirror,  # that of the mirrored scan
             self.length_mm,
             form=self.form,
             mirrored=not self.mirrored,

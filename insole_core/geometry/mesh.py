@@ -18,10 +18,9 @@ from insole_core.geometry.arrays import (
     IntArray,
 )
 from insole_core.geometry.lengths import lengths
-from insole_core.geometry.transforms import transform
+from insole_core.geometry.transforms import MIRROR, transform
 
 _Matrix: TypeAlias = "scipy.sparse.csr_array[np.float64]"
-_MIRROR = np.array([-1.0, 1.0, 1.0])
 PLY_ELEMENT = "touch"
 """Name of the PLY element that holds the constraints, beside vertices and faces."""
 
@@ -173,7 +172,7 @@ class ContourConstraints:
 
     def mirrored(self) -> ContourConstraints:
         """Return the mirror image in x: of what is seen from the other side, as surely."""
-        return ContourConstraints(self.points * _MIRROR, self.normals * _MIRROR)
+        return ContourConstraints(self.points * MIRROR, self.normals * MIRROR)
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,7 +314,7 @@ class TriangleMesh:
     def mirrored(self) -> TriangleMesh:
         """Return the mirror image in x, facing outwards as this one."""
         touches = None if self.touches is None else self.touches.mirrored()
-        return replace(self, vertices=self.vertices * _MIRROR, touches=touches).flipped()
+        return replace(self, vertices=self.vertices * MIRROR, touches=touches).flipped()
 
     def flipped(self) -> TriangleMesh:
         """Turn the mesh inside out."""

@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
-from insole_core.geometry.lengths import lengths
+from insole_core.geometry.lengths import directions
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_graph import smoothed_normals
 from insole_core.geometry.point_tree import point_tree
@@ -234,18 +234,13 @@ def _outwards(mesh: TriangleMesh, ends: IntArray, normals: FloatArray) -> FloatA
     aside = np.cross(places[b] - places[a], normals[a] + normals[b])
     total = np.zeros_like(places)
     for end in (a, b):
-        np.add.at(total, end, _unit(aside))
-    total = _unit(total)
+        np.add.at(total, end, directions(aside))
+    total = directions(total)
     for _ in range(_EVENING_ROUNDS):
         sums = total.copy()
         np.add.at(sums, a, total[b])
         np.add.at(sums, b, total[a])
-        total = _unit(sums)
+        total = directions(sums)
     outwards = np.zeros_like(mesh.vertices)
     outwards[border] = total
     return outwards
-
-
-def _unit(vectors: FloatArray) -> FloatArray:
-    length = lengths(vectors)[:, None]
-    return np.asarray(vectors / np.maximum(length, 1e-12))

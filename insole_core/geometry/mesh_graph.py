@@ -8,7 +8,7 @@ import numpy as np
 import scipy
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
-from insole_core.geometry.lengths import lengths
+from insole_core.geometry.lengths import directions, lengths
 from insole_core.geometry.mesh import TriangleMesh
 
 _SHRINK, _GROW = 0.5, -0.52
@@ -90,8 +90,7 @@ def smoothed_normals(mesh: TriangleMesh, rounds: int) -> FloatArray:
     mean = mesh.links.mean
     normals = mesh.vertex_normals
     for _ in range(rounds):
-        normals = 0.3 * normals + 0.7 * (mean @ normals)
-        normals = normals / np.maximum(lengths(normals)[:, None], 1e-12)
+        normals = directions(0.3 * normals + 0.7 * (mean @ normals))
     return normals
 
 

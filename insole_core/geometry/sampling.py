@@ -8,10 +8,10 @@ from functools import partial
 import numpy as np
 
 from insole_core.geometry.arrays import BoolArray, FloatArray, IndexArray, IntArray
-from insole_core.geometry.lengths import lengths
+from insole_core.geometry.lengths import directions, lengths
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.point_tree import point_tree
-from insole_core.geometry.transforms import transform
+from insole_core.geometry.transforms import MIRROR, transform
 from insole_core.memo import Memo
 
 _STEPS = (0.7548776662466927, 0.5698402909980532)
@@ -208,12 +208,11 @@ class EvenSurface:
 
     def mirrored(self) -> EvenSurface:
         """Return the mirror image in x."""
-        mirror = np.array([-1.0, 1.0, 1.0])
         return replace(
             self,
-            points=self.points * mirror,
-            normals=self.normals * mirror,
-            facets=self.facets * mirror,
+            points=self.points * MIRROR,
+            normals=self.normals * MIRROR,
+            facets=self.facets * MIRROR,
         )
 
     def facet_mm2(self, point: FloatArray) -> float:
@@ -276,7 +275,7 @@ class _Lattice:
         means = np.stack(sums, axis=1) / area_mm2[:, None]
         points, normals = means[:, :3], means[:, 3:]
         clear = (lengths(normals) > _LEAST_NORMAL) & (area_mm2 > _LEAST_MM2)
-        facets = _unit(normals)
+        facets = directions(normals)
         smoothed = self._smoothed(occupied, facets, area_mm2)
         return points[clear], facets[clear], smoothed[clear], area_mm2[clear]
 
@@ -296,11 +295,7 @@ class _Lattice:
             like = np.maximum(like, 0.0)[:, None]
             total[here] += like * weighted.take(there, axis=0)
             total[there] += like * weighted.take(here, axis=0)
-        return _unit(total)
-
-
-def _unit(vectors: FloatArray) -> FloatArray:
-    return np.asarray(vectors / np.maximum(lengths(vectors)[:, None], 1e-12))
+        return directions(total)
 
 
 def _rim_distance(mesh: TriangleMesh, points: FloatArray) -> FloatArray:

@@ -6,6 +6,9 @@ import numpy as np
 
 from insole_core.geometry.arrays import FloatArray
 
+MIRROR = np.array([-1.0, 1.0, 1.0])
+"""What coordinates are multiplied by for the mirror image in the plane x = 0."""
+
 
 def rigid(rotation: FloatArray, translation_mm: FloatArray) -> FloatArray:
     """Return the transform (4, 4) of a rotation (3, 3) and a translation (3,), mm."""

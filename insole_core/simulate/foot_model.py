@@ -10,7 +10,7 @@ import scipy
 from insole_core.geometry.arrays import BoolArray, FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
-from insole_core.geometry.transforms import transform
+from insole_core.geometry.transforms import MIRROR, transform
 from insole_core.simulate.foot_field import LEG_HEIGHT_MM, TOES, FootField, Toe
 from insole_core.simulate.foot_shape import FootShape
 from insole_core.simulate.iso_surface import extract_surface
@@ -152,8 +152,7 @@ def build_foot(
     mesh = paint_skin(mesh, landmarks, rng)
     if shape.side is Side.LEFT:
         return FootModel(shape, mesh, landmarks)
-    mirror = np.diag([-1.0, 1.0, 1.0, 1.0])
-    mirrored = {name: transform(mirror, point) for name, point in landmarks.items()}
+    mirrored = {name: point * MIRROR for name, point in landmarks.items()}
     return FootModel(shape, mesh.mirrored(), mirrored)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.errors import ReconstructionError
 from insole_core.geometry.absolute_orientation import rotation_from_covariance
 from insole_core.geometry.arrays import BoolArray, FloatArray, IntArray
+from insole_core.geometry.transforms import MIRROR
 
 _REFINEMENTS = 3
 _CHUNK = 2000
@@ -274,7 +275,7 @@ def _check_mirrored(
 ) -> None:
     if most >= min(len(points), len(markers)):
         return
-    mirrored = _candidate_poses(points * [-1.0, 1.0, 1.0], markers, limits)
+    mirrored = _candidate_poses(points * MIRROR, markers, limits)
     if int(mirrored.counts.max(initial=0)) >= max(_needed(len(markers), limits), most + 1):
         raise ReconstructionError(
             "the blue spots are the mirror image of the markers; check whether the pictures of "
