@@ -1,17 +1,40 @@
-"""Reading files of unknown origin: only regular files, never past a limit; and their digests."""
+"""Files of unknown origin: reading them, only regular ones and never past a limit; digests."""
 
 from __future__ import annotations
 
 import errno
 import hashlib
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Final
 
-from insole_core.errors import InputError, unreadable
+from insole_core.errors import InputError, UsageError, unreadable
 from insole_core.progress import SILENT, Cancelled, Progress
 from insole_core.regular_file import blocks_of, open_regular, read_regular
+
+_TWICE: Final = "{path} is named twice; name each session once."
+
+
+def check_once(paths: Sequence[Path], sentence: str = _TWICE) -> None:
+    """Check that nothing is named twice, under whatever name.
+
+    Parameters
+    ----------
+    sentence
+        On the ``{path}`` that is.
+
+    Raises
+    ------
+    UsageError
+    """
+    before: set[Path] = set()
+    for path in paths:
+        place = path.resolve()
+        if place in before:
+            raise UsageError(sentence, path=path)
+        before.add(place)
 
 
 def read_given(path: Path, most_bytes: int) -> bytes:

@@ -14,11 +14,12 @@ from insole_core.errors import InputError, UsageError
 from insole_core.export.shop_order import OrderTerms
 from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.geometry.side import Side
+from insole_core.given_file import check_once
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import Command, Step, add_steps, day, from_one
 from insole_studio.cli.order_nest import NEST
-from insole_studio.cli.path_arguments import OutputPath, require_each_once
+from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.arguments import add_language, wording_of
 
 if TYPE_CHECKING:
@@ -84,7 +85,7 @@ def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
     if arguments.add and len(arguments.cases) > 1:
         raise UsageError("--add belongs to one case, and several are named; write an order each.")
     _check_out(arguments.out)
-    require_each_once(arguments.cases, "order more of a case with --quantity")
+    check_once(arguments.cases, "{path} is named twice; order more of a case with --quantity.")
     now = datetime.now().astimezone()
     terms = _terms(arguments)
     terms.check(now.date())

@@ -81,27 +81,6 @@ def check_paths(arguments: argparse.Namespace) -> None:
     check_overwriting(outputs, inputs)
 
 
-def require_each_once(paths: Sequence[Path], remedy: str) -> None:
-    """Check that no file or folder is named twice, under whatever name.
-
-    Parameters
-    ----------
-    remedy
-        What to do in place of that.
-
-    Raises
-    ------
-    UsageError
-        Names the one that is.
-    """
-    before: set[Path] = set()
-    for path in paths:
-        place = path.resolve()
-        if place in before:
-            raise UsageError(f"{path} is named twice; {remedy}.")
-        before.add(place)
-
-
 def _paths(value: object) -> Iterator[Path]:
     if isinstance(value, Path):
         yield value

@@ -19,6 +19,7 @@ from insole_core.evaluation.chain_section import Verdict, judge
 from insole_core.evaluation.known_object import KnownObject, KnownPlaced
 from insole_core.evaluation.printed_markers import check_print
 from insole_core.geometry.side import BOTH
+from insole_core.given_file import check_once
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
@@ -108,14 +109,6 @@ def prove_chain(
     notes = tuple(note for capture in captures for note in _notes(capture))
     verdict = judge(evaluation) if choice.is_learnt else Verdict("none", True, choice.reason)
     return ChainProof(evaluation, verdict, serials, notes, choice.is_learnt)
-
-
-def check_once(paths: Sequence[Path]) -> None:
-    """Check that no capture counts twice."""
-    places = [path.resolve() for path in paths]
-    for number, path in enumerate(paths):
-        if places[number] in places[:number]:
-            raise UsageError("{path} is named twice; name each session once.", path=path)
 
 
 def _common_serials(sessions: Sequence[MeasuredSession]) -> tuple[str, ...]:

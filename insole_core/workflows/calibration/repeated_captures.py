@@ -21,10 +21,10 @@ from insole_core.evaluation.repeat import (
 from insole_core.foot.landmarks import find_landmarks
 from insole_core.foot.measures import measure
 from insole_core.geometry.side import BOTH
+from insole_core.given_file import check_once
 from insole_core.messages import Message, joined
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.capture_place import CapturePlace
-from insole_core.workflows.calibration.chain_proof import check_once
 from insole_core.workflows.calibration.repeat_tests import RepeatTest
 from insole_core.workflows.make_foot import MeasuredSession, make_foot, open_session
 
