@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from insole_core.errors import UsageError
 from insole_core.geometry.side import BOTH, Side, sides_from
@@ -14,11 +14,13 @@ from insole_studio.cli.path_arguments import OutputPath
 if TYPE_CHECKING:
     from insole_core.simulate.known_bodies import KnownBody
 
+_Number = TypeVar("_Number", int, float)
 NAME = "simulate"
 HELP = "write a simulated session with its true surface and poses"
 
 _DISTANCES_MM = {"kinect": 800.0, "d415": 520.0, "mixed": 520.0}
 """Kind of sensor, and how far it stands from the foot where nobody says."""
+_INFRARED_FRAMES, _WALLS = 6, 12
 _COLOR_SIZES = {"1280x1024": (1280, 1024), "1280x960": (1280, 960), "640x480": (640, 480)}
 
 
@@ -104,7 +106,7 @@ def _add_infrared_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--infrared-frames", type=whole, metavar="N",
-        help="infrared pictures a view (default 6)",
+        help=f"infrared pictures a view (default {_INFRARED_FRAMES})",
     )  # fmt: skip
     parser.add_argument(
         "--learnt-from", type=whole, metavar="N",
@@ -118,7 +120,7 @@ def _add_infrared_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--wall-count", type=whole, metavar="N",
-        help="walls before a sensor (default 12)",
+        help=f"walls before a sensor (default {_WALLS})",
     )  # fmt: skip
     parser.add_argument(
         "--disturbed", action="append", choices=["speckle", "noise", "sunlight", "drift", "skin"],
@@ -151,21 +153,24 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
         foot_seed=arguments.foot_seed,
         side=sides_from(arguments.side),
         sensor=arguments.sensor,
-        distance_mm=_DISTANCES_MM[arguments.sensor]
-        if arguments.distance is None
-        else arguments.distance,
+        distance_mm=_given_or(arguments.distance, _DISTANCES_MM[arguments.sensor]),
         bursts=arguments.bursts,
         color_frames=arguments.color_frames,
         color_size=_COLOR_SIZES[arguments.color_size],
         ideal=arguments.ideal,
-        sensors=4 if arguments.sensors is None else arguments.sensors,
+        sensors=_given_or(arguments.sensors, 4),
         body=_body(arguments),
-        infrared_frames=_given_or(arguments.infrared_frames, 6) if arguments.infrared else 0,
+        infrared_frames=_given_or(
+            arguments.infrared_frames, _INFRARED_FRAMES if arguments.infrared else 0
+        ),
         disturbances=tuple(arguments.disturbed),
     )
     if arguments.walls:
         write_walls(
-            options, _given_or(arguments.wall_count, 12), arguments.walls, progress.part(0.0, 0.4)
+            options,
+            _given_or(arguments.wall_count, _WALLS),
+            arguments.walls,
+            progress.part(0.0, 0.4),
         )
     simulated = simulate_session(options, progress.part(0.4, 0.6))
     session = simulated.session
@@ -181,7 +186,7 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     progress.step(1.0, f"Done: {arguments.out}")
 
 
-def _given_or(given: int | None, default: int) -> int:
+def _given_or(given: _Number | None, default: _Number) -> _Number:
     return default if given is None else given
 
 
