@@ -285,7 +285,8 @@ class ViewsPage(_Page):
         self._low = self._height_mm - 18 - max(one.size_mm[1] for one in pieces) / self._scale
         self._remark_lines = self._wrapped_remarks()
         remarks_mm = _ROW_MM * (len(self._remark_lines) + 1.5) if self._remark_lines else 0.0
-        self._table_top = self._low - 61 - remarks_mm
+        self._remarks_top = self._low - 61
+        self._table_top = self._remarks_top - remarks_mm
         self._rows, self.rest = self._fitting(self._all_rows())
 
     def _draw_content(self, pen: _Pen) -> None:
@@ -305,7 +306,7 @@ class ViewsPage(_Page):
             for number, piece in enumerate(self._pieces):
                 self._draw_profile(pen, piece, medial, ((number + 0.5) * half, base))
         pen.scale_bar(6, _TITLE_MM + 5, 50, self._scale)
-        self._draw_remarks(pen, low - 61)
+        self._draw_remarks(pen, self._remarks_top)
         self._draw_table(pen, self._table_top, self._rows)
 
     def _wrapped_remarks(self) -> list[str]:

@@ -651,13 +651,12 @@ class InsolePresenter(ModelPresenter):
         self._contours = True
         self._shoe = False
         self._shoe_lines: GuideLines | None = None
-        self._drawn: TriangleMesh | None = None
-        """The mesh that the panel shows."""
         self._loaded: tuple[tuple[Change, tuple[str, ...]], Coloring] | None = None
         """What the colours by the change of the pressure were last made of, and they themselves."""
         self._shoe_of: tuple[object, ...] | None = None
         """What the shown outline of a shoe was made of."""
-        self._contoured: tuple[TriangleMesh | None, bool] = (None, False)
+        self._drawn: tuple[TriangleMesh | None, bool] = (None, False)
+        """The mesh that the panel shows, and whether with contour lines."""
         shown.surface.failed.connect(self.panel.show_warning)
 
     @property
@@ -703,7 +702,7 @@ class InsolePresenter(ModelPresenter):
         mesh, normals = self._surface.mesh, self._surface.normals
         if self._map is not MapKind.LOAD or mesh is None or normals is None:
             return
-        if mesh is not self._drawn:
+        if mesh is not self._drawn[0]:
             return  # the insole has changed too: it is about to be shown, in these colours
         if not self.panel.move_mesh(mesh, normals, _NO_VERTEX, self._coloring()):
             self._show_mesh_anew()
@@ -804,10 +803,9 @@ class InsolePresenter(ModelPresenter):
         mesh, normals = self._surface.mesh, self._surface.normals
         self._show_shoe()
         if mesh is None or normals is None:
-            self._contoured, self._drawn = (None, False), None
+            self._drawn = None, False
             self._show_why_empty()
         elif self.panel.move_mesh(mesh, normals, self._surface.moved, self._coloring()):
-            self._drawn = mesh
             self._show_contours()
             self.show_marks()
         else:
@@ -818,7 +816,6 @@ class InsolePresenter(ModelPresenter):
         if mesh is None or side is None:
             return
         self.panel.show_mesh(mesh, self._coloring())
-        self._drawn = mesh
         self._show_directions()
         self._show_contours()
         self.show_marks()
@@ -847,9 +844,9 @@ class InsolePresenter(ModelPresenter):
     def _show_contours(self) -> None:
         """Draw the contour lines, except during a gesture."""
         wanted = self._contours and not self._tool_controller.is_busy
-        if self._contoured == (self._surface.mesh, wanted):
+        if self._drawn == (self._surface.mesh, wanted):
             return  # they are slow to draw, and one change emits several signals
-        self._contoured = self._surface.mesh, wanted
+        self._drawn = self._surface.mesh, wanted
         self.panel.show_contours(self._contour_lines() if wanted else None)
 
     def _contour_lines(self) -> ContourLines | None:
