@@ -36,7 +36,7 @@ from insole_core.records.person import Person
 from insole_core.records.place import RecordsPlace
 from insole_core.records.records import open_records
 from insole_core.records.visit import Visit
-from insole_studio.app.between_events import MODULES, GarbageCollection
+from insole_studio.app.between_events import MODULES
 from insole_studio.app.bootstrap import Application, build_application, qt_application
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.scene.canvas import ImageCanvas
@@ -130,7 +130,6 @@ class _Window:
         app = self._app
         app.features.records.show_start()
         app.window.show()
-        GarbageCollection(app.window)  # as in the product; else a thread may destroy Qt's objects
         app.recover()
         app.services.clinic.open()
         timers = [_every(_TICK_MS, self._look)]

@@ -31,14 +31,14 @@ class GarbageCollection(QObject):
     """Collects from a timer of the window's thread, and nowhere else.
 
     By itself Python collects wherever an object happens to be made: in a background thread, or
-    within Qt while it hands over an event. Either may destroy Qt objects of another thread or in
-    the midst of their use, which ends the process. The generations are those of Python, but for
-    what a case leaves: a closed stage is a cycle that holds a foot, and the oldest generation would
-    keep as many feet as are opened within minutes.
+    within Qt while it hands over an event or a list of its widgets. Either may destroy Qt objects
+    of another thread or in the midst of their use, which ends the process. The generations are
+    those of Python, but for what a case leaves: a closed stage is a cycle that holds a foot, and
+    the oldest generation would keep as many feet as are opened within minutes.
     """
 
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         gc.disable()
         self._is_case_left = False
         timer = QTimer(self)

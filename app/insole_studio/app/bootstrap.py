@@ -144,6 +144,7 @@ def build_application(
     emulate
         Recorded session to play back as live sensors; None uses the real ones.
     """
+    garbage = GarbageCollection()  # first: it may not collect in the midst of what follows
     complaints: list[Message] = []
     settings = load_settings(paths.settings_file, complaints.append)
     load_language(application, settings.language)
@@ -154,6 +155,8 @@ def build_application(
     case.opened.connect(return_freed_memory, Qt.ConnectionType.QueuedConnection)
     stage = make_design_stage(case, jobs, dark)
     window = _make_window(stage, jobs)
+    garbage.setParent(window)
+    case.opened.connect(garbage.leave_case)
     location = RecordLocation(
         paths.records_folder, settings.record_database, settings.record_contents
     )
@@ -266,7 +269,6 @@ def run_application(
     app.controller.closed.connect(qt.quit)
     app.features.records.show_start()
     app.window.show()
-    app.case.opened.connect(GarbageCollection(app.window).leave_case)
     Preload(app.window)
     app.recover()
     crashes.offer(app.services)

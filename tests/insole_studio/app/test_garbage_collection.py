@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 import weakref
 
-from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from insole_studio.app import between_events
@@ -19,27 +18,25 @@ class Cycle:
 
 def test_cycles_go_with_the_timer_and_not_before(qtbot: QtBot, monkeypatch) -> None:
     monkeypatch.setattr(between_events, "INTERVAL_MS", 20)
-    parent = QObject()
-    GarbageCollection(parent)
+    garbage = GarbageCollection()
     assert not gc.isenabled()
     gone = weakref.ref(Cycle())
     kept = [[] for _ in range(gc.get_threshold()[0] + 100)]  # Python itself would collect here
     assert gone() is not None
     qtbot.waitUntil(lambda: gone() is None)
     assert kept
-    parent.deleteLater()
+    garbage.deleteLater()
 
 
 def test_what_a_case_has_left_does_not_wait_until_the_oldest_generation_is_due(
     qtbot: QtBot, monkeypatch
 ) -> None:
     monkeypatch.setattr(between_events, "INTERVAL_MS", 20)
-    parent = QObject()
-    garbage = GarbageCollection(parent)
+    garbage = GarbageCollection()
     stage = Cycle()
     gone = weakref.ref(stage)
     gc.collect()  # it is old when it is left
     del stage
     garbage.leave_case()
     qtbot.waitUntil(lambda: gone() is None)
-    parent.deleteLater()
+    garbage.deleteLater()
