@@ -35,7 +35,7 @@ from insole_studio.features.design.load.load_dialog import LoadDialog
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.user_paths import UserPaths
 
-MOVES, TRIED_FIRST = 60, 3
+MOVES, TRIED_FIRST = 240, 3
 """Of the pad, and those more at the beginning that are not counted: caches fill."""
 PICTURE_LIMIT_MS, MAP_LIMIT_MS = 16.0, 100.0
 _SIZE = (1366, 768)

@@ -271,18 +271,18 @@ class Change:
 
     def of(self, name: str) -> RegionChange:
         """Return the change of one of `GROUPS`."""
-        here = inside(self.sole, name)
+        here = _places(self.sole, name)
         old, new = self.peaks_kpa(name)
         if old < LOADED_KPA:
             return RegionChange(None, None)
-        before, after = self.old.mpa[here].sum(), self.new.mpa[here].sum()
+        before, after = (pressed.mpa.take(here).sum() for pressed in (self.old, self.new))
         load = float(100 * (after / before - 1)) if before > 0 else None
         return RegionChange(100 * (new / old - 1), load)
 
     def peaks_kpa(self, name: str) -> tuple[float, float]:
         """Return the peak pressures of one of `GROUPS` before and after, as sensors show them."""
-        here = inside(self.sole, name)
-        old, new = (kpa[here].max(initial=0.0) for kpa in (self.old_kpa, self.new_kpa))
+        here = _places(self.sole, name)
+        old, new = (kpa.take(here).max(initial=0.0) for kpa in (self.old_kpa, self.new_kpa))
         return float(old), float(new)
 
     def at(self, xy: Place) -> float | None:
@@ -317,7 +317,7 @@ class Change:
 
     def _not_compared(self, name: str) -> Message:
         """Return why pressures of a region say nothing beside each other, or an empty text."""
-        if self._densified[inside(self.sole, name)].any():
+        if self._densified.take(_places(self.sole, name)).any():
             return Message("The insole is too thin there: it is compressed by more than half.")
         old, new = self.peaks_kpa(name)
         if old < LOADED_KPA:
@@ -330,8 +330,8 @@ class Change:
 
     def _is_newly_pressed(self, name: str) -> bool:
         """Return whether the greatest pressure of a region moves to where nothing pressed."""
-        here = inside(self.sole, name)
-        return bool(self.old_kpa[here][self.new_kpa[here].argmax()] < LOADED_KPA)
+        here = _places(self.sole, name)
+        return bool(self.old_kpa.take(here[self.new_kpa.take(here).argmax()]) < LOADED_KPA)
 
     def region_at(self, xy: Place) -> str | None:
         """Return which of `GROUPS` holds a place, the heads each; None beside the sole."""
@@ -361,6 +361,11 @@ def inside(sole: Sole, name: str) -> BoolArray:
         return np.asarray(np.any([sole.masks[number] for number in _numbers(name)], axis=0))
 
     return sole.derived.get("inside", name, find)
+
+
+def _places(sole: Sole, name: str) -> IntArray:
+    """(n,) which nodes, one row after the other, belong to one of `GROUPS`; kept with the sole."""
+    return sole.derived.get("places", name, lambda: np.flatnonzero(inside(sole, name)))
 
 
 def _level_and_tilts(sole: Sole, name: str) -> FloatArray:
@@ -534,7 +539,7 @@ def _varied(usual: Change, assumed: Assumptions) -> Change | None:
 def _unevenly_raised_mm(sole: Sole, grounds: tuple[Ground, Ground], name: str) -> float:
     """Return how much another form a region has on the new ground, whatever its level and tilt."""
     old, new = grounds
-    raised = (new.top_mm - old.top_mm)[inside(sole, name)]
+    raised = new.top_mm.take(_places(sole, name)) - old.top_mm.take(_places(sole, name))
     motions = _level_and_tilts(sole, name)
     off = raised - motions @ (motions.T @ raised)
     return float(np.ptp(off)) if len(off) else 0.0

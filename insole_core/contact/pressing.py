@@ -19,7 +19,7 @@ import scipy
 
 from insole_core.contact.elastic_layers import Layer, compliance
 from insole_core.errors import InputError
-from insole_core.geometry.arrays import BoolArray, FloatArray
+from insole_core.geometry.arrays import BoolArray, Float32Array, FloatArray
 
 BESIDE = 2.0
 """Room beside a grid, in thicknesses of the thickest stack, in which what a load makes sink fades
@@ -36,15 +36,17 @@ _ROUGH, _FINE = 3e-2, 1e-3
 while it is still sought what touches, and at the end."""
 _FEW = 0.02
 """Share of what touches that may still change when the fine search begins."""
+_NO_MOTION = 1e-15
 _SLIGHT = 1e-3
 """Of the greatest pressure and sinking: less of it, of the wrong sign, changes nothing."""
 _SAME = 2e-3
 """Strain of the tissue that may still change."""
 _SENSOR_MM = 10.0
 """Side of a usual sensor: peaks are those of the mean over so much, as a measurement shows them."""
-_FOLLOWED, _FOLLOWED_SAME, _FOLLOWED_ROUNDS = 1e-2, 1e-2, 3
-"""As `_FINE`, `_SAME` and `_ROUNDS`, while a support is followed as it is drawn: by steps of which
-none changes more than `_FEW` of what touches."""
+_FOLLOWED, _FOLLOWED_SAME, _FOLLOWED_ROUNDS = 1e-2, 1e-2, 4
+"""As `_FINE`, `_SAME` and `_ROUNDS`, while a support is followed as it is drawn."""
+_TOO_MANY = 0.05
+"""Share of what touches that changes at a step too long to be followed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,30 +143,31 @@ class Support:
         )
         shares = np.stack([bed.share for bed in beds])
         thickness = np.array([bed.tissue_mm for bed in beds])
-        self._roots, self._is_tissue = np.sqrt(shares), thickness > 0
+        self._roots, self._is_tissue = np.sqrt(shares).astype(np.float32), thickness > 0
         self._tissue_mm = np.maximum(np.tensordot(thickness, shares, 1), _LEAST_TISSUE_MM)
 
-    def roots(self, strain: FloatArray) -> FloatArray:
+    def roots(self, strain: FloatArray) -> Float32Array:
         """(beds, ny, nx) square roots of what gives way, with tissue strained by (ny, nx)."""
-        softness = np.where(self._is_tissue[:, None, None], np.sqrt(1 - strain), 1.0)
-        return np.asarray(self._roots * softness)
+        roots = self._roots.copy()
+        roots[self._is_tissue] *= np.sqrt(1 - strain).astype(np.float32)
+        return roots
 
-    def sunk(self, mpa: FloatArray, roots: FloatArray) -> FloatArray:
+    def sunk(self, mpa: FloatArray, roots: Float32Array) -> Float32Array:
         """(beds, ny, nx) how far each bed sinks under pressures (ny, nx), mm."""
         (rows, columns), (padded_rows, padded_columns) = self.shape, self._padded
         # Not by rfft2, which transforms the rows of the padding too: they hold and give nothing.
-        waves = scipy.fft.rfft((mpa * roots).astype(np.float32), padded_columns, axis=2)
+        waves = scipy.fft.rfft(mpa.astype(np.float32) * roots, padded_columns, axis=2)
         waves = scipy.fft.fft(waves, padded_rows, axis=1)
         waves *= self._spectra
         waves = scipy.fft.ifft(waves, axis=1, overwrite_x=True)[:, :rows]
         return np.asarray(roots * scipy.fft.irfft(waves, padded_columns, axis=2)[:, :, :columns])
 
-    def softness(self, roots: FloatArray) -> FloatArray:
+    def softness(self, roots: Float32Array) -> FloatArray:
         """(ny, nx) how far each node sinks where all are pressed alike, mm/MPa."""
-        alike = self._spectra[:, 0, 0].astype(np.float64)
-        return np.asarray(np.tensordot(alike, roots * roots, 1))
+        alike = self._spectra[:, 0, 0]
+        return np.asarray(np.tensordot(alike, roots * roots, 1), dtype=np.float64)
 
-    def strain(self, sunk: FloatArray, before: FloatArray) -> FloatArray:
+    def strain(self, sunk: Float32Array, before: FloatArray) -> FloatArray:
         """(ny, nx) strain of tissue that has sunk, as stiff as with a strain before.
 
         Without stiffening it would sink by v; with the thickness h its strain is v / (h + v), so
@@ -173,9 +176,9 @@ class Support:
         v = np.maximum(sunk[self._is_tissue].sum(axis=0), 0.0) / (1 - before)
         return np.asarray(v / (self._tissue_mm + v))
 
-    def layers_sunk(self, sunk: FloatArray) -> FloatArray:
+    def layers_sunk(self, sunk: Float32Array) -> FloatArray:
         """(ny, nx) how far all that is no tissue has sunk, of what each bed has."""
-        return np.asarray(sunk[~self._is_tissue].sum(axis=0))
+        return sunk[~self._is_tissue].sum(axis=0).astype(np.float64)
 
     def press(
         self,
@@ -218,11 +221,21 @@ def _spectrum(
     along = 2 * np.pi * np.fft.fftfreq(shape[0], step_mm)
     across = 2 * np.pi * np.fft.rfftfreq(shape[1], step_mm)
     wave_number = np.hypot(along[:, None], across)
-    table = np.linspace(0.0, wave_number.max(), _TABLE)
-    sinking = np.maximum(compliance(layers, table) - compliance(counted, table), 0.0)
-    spectrum = np.asarray(np.interp(wave_number, table, sinking), dtype=np.float32)
+    sinking = np.maximum(_compliances(layers, step_mm) - _compliances(counted, step_mm), 0.0)
+    spectrum = np.asarray(np.interp(wave_number, _wave_numbers(step_mm), sinking), np.float32)
     spectrum.flags.writeable = False
     return spectrum
+
+
+def _wave_numbers(step_mm: float) -> FloatArray:
+    """(n,) of all waves on a grid, 1/mm."""
+    return np.linspace(0.0, np.pi * np.sqrt(2) / step_mm, _TABLE)
+
+
+@lru_cache(maxsize=_SPECTRA)
+def _compliances(layers: tuple[Layer, ...], step_mm: float) -> FloatArray:
+    """(n,) sinking of layers, mm/MPa, by `_wave_numbers`."""
+    return compliance(layers, _wave_numbers(step_mm))
 
 
 class _Search:
@@ -260,13 +273,13 @@ class _Search:
             stays, joins = mpa > -_SLIGHT * mpa.max(), overlap > _SLIGHT * sunk.max()
             after = self._sole & np.where(touches, stays, joins)
             changed, touches = int((after != touches).sum()), after
-            if follows and changed > _FEW * touches.sum():
-                follows = False  # the step is too long for that: the search goes on from here
-                rounds, finest, same = _ROUNDS, _FINE, _SAME
             before, strain = strain, support.strain(beds, strain)
-            is_settled = follows or changed == 0
+            is_settled = changed <= (_TOO_MANY * touches.sum() if follows else 0)
             if fine and is_settled and np.abs(strain - before).max() < same:
                 break
+            if follows and (rounds == 0 or not is_settled):
+                follows = False  # the step is too long for that: the search goes on from here
+                rounds, finest, same = _ROUNDS, _FINE, _SAME
             fine = changed <= _FEW * touches.sum()
         mpa = np.maximum(mpa, 0.0)
         mpa *= self._sums[0] / mpa.sum()
@@ -283,8 +296,8 @@ class _Search:
         )
 
     def _balanced(
-        self, mpa: FloatArray, bone: _Bone, roots: FloatArray, left_over: float
-    ) -> tuple[FloatArray, FloatArray]:
+        self, mpa: FloatArray, bone: _Bone, roots: Float32Array, left_over: float
+    ) -> tuple[FloatArray, Float32Array]:
         """Return the pressures under which what touches lies together, and how the beds sink.
 
         Some may be negative. Every step of the conjugate gradients keeps load and centre; they are
@@ -305,7 +318,7 @@ class _Search:
             answers = self._support.sunk(way, roots)
             answer = answers.sum(axis=0) * touches
             along = work / float((way * answer).sum())
-            mpa, beds = mpa + along * way, beds + along * answers
+            mpa, beds = mpa + along * way, beds + np.float32(along) * answers
             left = bone.without_motion(left - along * answer)
             more = bone.hardness * left
             before, work = work, float((left * more).sum())
@@ -337,7 +350,7 @@ class _Bone:
         self.hardness = 1 / np.maximum(softness, _LEAST_SOFT * softness.max())
         self._motions = (motions * touches).reshape(len(motions), -1)
         self._pressing = self._motions * self.hardness.ravel()
-        self._inverse = np.linalg.pinv(self._pressing @ self._motions.T, hermitian=True)
+        self._inverse = _inverse(self._pressing @ self._motions.T)
 
     def motion(self, heights: FloatArray) -> FloatArray:
         """(3,) at which the bone lies on heights (ny, nx) best."""
@@ -351,6 +364,13 @@ class _Bone:
         """(ny, nx) the nearest pressures that have sums (3,) over the motions."""
         missing = sums - self._motions @ mpa.ravel()
         return np.asarray(mpa + (self._inverse @ missing @ self._pressing).reshape(mpa.shape))
+
+
+def _inverse(matrix: FloatArray) -> FloatArray:
+    """Return the pseudoinverse of a symmetric matrix; that of numpy takes ten times as long."""
+    values, vectors = np.linalg.eigh(matrix)
+    counts = values > _NO_MOTION * values[-1]  # a single row, or few places, do not tilt every way
+    return np.asarray((vectors[:, counts] / values[counts]) @ vectors[:, counts].T)
 
 
 def _square(values: FloatArray) -> float:

@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 import numpy.typing as npt
+import scipy
 
 from insole_core.contact.change import MOST_SHOWN, Change, Shown
 from insole_core.contact.stance import Sole
@@ -28,6 +29,7 @@ _LEAST_SPAN_KPA, _ROUND_KPA = 50.0, 50.0
 _FACING, _HIGHEST_MM = -0.1, 30.0
 _STRIPE_MM, _SLANTED = 3.0, 2**0.5
 _STEPS = 256
+_STEPS_A_PERCENT = (_STEPS - 1) / (2 * MOST_SHOWN)
 _FIRST = np.array([0, _STEPS, _STEPS + 2, _STEPS + 4])
 """Of the colours of each `Shown`, in `_load_colors`."""
 _SKIN, _MATERIAL = (224.0, 190.0, 170.0), (222.0, 216.0, 202.0)
@@ -223,19 +225,19 @@ class LoadedVertices:
         Of all vertices of the surface.
     can_press : (p,) int64
         Those vertices at which something can press.
-    nodes : (p, 4) int64
-        Of the grid, those about each of these vertices, the nearest first.
-    weights : (p, 4) float64
-        Of these nodes.
-    colors : (4, p) int64
-        For each `Shown`, which of `_load_colors` these vertices have.
+    nearest : (p,) int64
+        Node of the grid next to each of these vertices.
+    shares : (p, ny * nx) float64
+        Of the nodes in what each of these vertices shows.
+    colors : (4 * p,) int64
+        For each `Shown` in turn, which of `_load_colors` these vertices have.
     """
 
     sole: Sole
     xy: FloatArray
     can_press: IntArray
-    nodes: IntArray
-    weights: FloatArray
+    nearest: IntArray
+    shares: scipy.sparse.csr_array
     colors: IntArray
 
     @classmethod
@@ -243,18 +245,15 @@ class LoadedVertices:
         """Return those of a surface, with vertices (n, 3), of which (n,) can be pressed."""
         xy = vertices[:, :2].copy()
         shares = sole.field.weights_at(xy)
-        weights = shares.data.reshape(-1, 4)
-        (can_press,) = np.nonzero(where & np.isfinite(weights[:, 0]))
-        weights = weights[can_press]
-        nodes: IntArray = shares.indices.astype(np.int64).reshape(-1, 4)[can_press]
-        nearest_first = np.argsort(-weights, axis=1)
-        weights = np.take_along_axis(weights, nearest_first, axis=1)
-        nodes = np.take_along_axis(nodes, nearest_first, axis=1)
+        (can_press,) = np.nonzero(where & np.isfinite(shares.data.reshape(-1, 4)[:, 0]))
+        shares = shares[can_press]
+        weights, nodes = shares.data.reshape(-1, 4), shares.indices.reshape(-1, 4)
+        nearest = nodes[np.arange(len(nodes)), weights.argmax(axis=1)].astype(np.int64)
         x, y = xy[can_press].T
         colors = np.tile(_FIRST[:, None], len(can_press))
         colors[Shown.NEWLY] += (y // _STRIPE_MM % 2).astype(np.int64)
         colors[Shown.UNTOLD] += ((x + y) // (_SLANTED * _STRIPE_MM) % 2).astype(np.int64)
-        return cls(sole, xy, can_press, nodes, weights, colors)
+        return cls(sole, xy, can_press, nearest, shares, colors.ravel())
 
     def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
         """Return whether vertices (n, 3) of the same surface still lie there."""
@@ -268,21 +267,22 @@ class LoadedVertices:
         untold
             Names of the regions of which nothing can be told.
         """
-        nearest = self.nodes[:, 0]
-        shown = change.shown(untold).take(nearest)
-        colors = self.colors[shown, np.arange(len(shown))]
+        count = len(self.can_press)
+        shown = change.shown(untold).take(self.nearest)
         percent = change.percent.ravel()
-        at = np.einsum("ij,ij->i", percent.take(self.nodes), self.weights)
-        at = np.where(np.isnan(at), percent.take(nearest), at)  # beside what has no figure
-        is_told = shown == Shown.PERCENT
-        at = at[is_told]
-        steps = (np.clip(at, -MOST_SHOWN, MOST_SHOWN) / MOST_SHOWN + 1) / 2 * (_STEPS - 1)
-        colors[is_told] = np.rint(steps).astype(np.int64)
-        table = _load_colors()
-        painted = np.tile(table[_FIRST[Shown.IDLE]], (len(self.xy), 1))
-        painted[self.can_press] = table.take(colors, axis=0)
+        at = self.shares @ percent
+        (lacks,) = np.nonzero(np.isnan(at))  # beside what has no figure
+        at[lacks] = percent.take(self.nearest[lacks])
+        (others,) = np.nonzero(shown != Shown.PERCENT)
+        at[others] = 0.0
+        steps = (np.clip(at, -MOST_SHOWN, MOST_SHOWN) + MOST_SHOWN) * _STEPS_A_PERCENT
+        colors = np.rint(steps).astype(np.int64)
+        colors[others] = self.colors.take(shown[others] * count + others)
+        at[others] = np.nan
+        of_all = np.full(len(self.xy), _FIRST[Shown.IDLE])
+        of_all[self.can_press] = colors
         values = np.full(len(self.xy), np.nan)
-        values[self.can_press[is_told]] = at
+        values[self.can_press] = at
         return Coloring(
             values,
             (-MOST_SHOWN, MOST_SHOWN),
@@ -290,7 +290,7 @@ class LoadedVertices:
             signed=True,
             unit="%",
             is_clipped=True,
-            painted=painted,
+            painted=_load_colors().take(of_all, axis=0),
             swatches=tuple(_load_swatches().values()),
         )
 
