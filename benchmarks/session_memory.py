@@ -97,9 +97,10 @@ def measure(folder: str, sessions: str, garbage: str) -> None:
     with tempfile.TemporaryDirectory() as name:
         places = UserPaths(Path(name) / "settings.json", Path(name) / "data" / "autosave")
         with ScriptedWindow(places) as studio:
-            collection = GarbageCollection(studio.app.window)
-            if garbage == "the product":
-                studio.app.case.opened.connect(collection.leave_case)
+            if garbage != "the product":
+                collection = studio.app.window.findChild(GarbageCollection)
+                assert isinstance(collection, GarbageCollection)
+                studio.app.case.opened.disconnect(collection.leave_case)
             print("empty", f"{resident_mb():.0f} MB", flush=True)
             for number in range(int(sessions)):
                 studio.app.window.actions_by_key["new_case"].trigger()

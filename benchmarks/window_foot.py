@@ -57,7 +57,7 @@ def measure(session: str) -> None:
     """Print the seconds until the files are read, and from then until the design has the foot."""
     from importlib import import_module
 
-    from insole_studio.app.between_events import MODULES, GarbageCollection
+    from insole_studio.app.between_events import MODULES
     from insole_studio.app.scripted import ScriptedWindow
     from insole_studio.features.foot.presenter import READING
     from insole_studio.lean_numpy import unlist_parts_on_demand
@@ -72,7 +72,6 @@ def measure(session: str) -> None:
     with tempfile.TemporaryDirectory() as name:
         places = UserPaths(Path(name) / "settings.json", Path(name) / "autosave")
         with ScriptedWindow(places) as studio:
-            GarbageCollection(studio.app.window)
             foot = studio.app.features.foot
 
             def note(what: str) -> None:

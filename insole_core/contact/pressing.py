@@ -174,11 +174,11 @@ class Support:
         that the pressure goes as e / (1 - e).
         """
         v = np.maximum(sunk[self._is_tissue].sum(axis=0), 0.0) / (1 - before)
-        return np.asarray(v / (self._tissue_mm + v))
+        return np.asarray(v / (self._tissue_mm + v), dtype=np.float64)
 
     def layers_sunk(self, sunk: Float32Array) -> FloatArray:
         """(ny, nx) how far all that is no tissue has sunk, of what each bed has."""
-        return sunk[~self._is_tissue].sum(axis=0).astype(np.float64)
+        return np.asarray(sunk[~self._is_tissue].sum(axis=0), dtype=np.float64)
 
     def press(
         self,
