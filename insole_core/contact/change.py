@@ -58,6 +58,11 @@ _BESIDE = Message(
     "The place lies beside the sole of the foot, or the sole is too steep or not measured there."
 )
 _TOO_UNSURE = Message("What is not known of the foot changes it too much.")
+_NOT_MET = Message(
+    "The model does not always meet published series here, measured in walking; of some pads and "
+    "bars not even the direction is right."
+)
+_TOO_THIN = Message("The insole is too thin there: it is compressed by more than half.")
 _APART = tuple(name for name in GROUPS if name != "metatarsal_heads")
 """Regions of which every place of a sole is in one at most."""
 _AT_HEADS = frozenset({"metatarsal_heads", *HEADS})
@@ -309,16 +314,13 @@ class Change:
         if name in _AT_HEADS and (
             pushes or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
         ):
-            return Message(
-                "The model does not always meet published series here, measured in walking; of "
-                "some pads and bars not even the direction is right."
-            )
+            return _NOT_MET
         return _NONE
 
     def _not_compared(self, name: str) -> Message:
         """Return why pressures of a region say nothing beside each other, or an empty text."""
         if self._densified.take(_places(self.sole, name)).any():
-            return Message("The insole is too thin there: it is compressed by more than half.")
+            return _TOO_THIN
         old, new = self.peaks_kpa(name)
         if old < LOADED_KPA:
             return _NOT_LOADED

@@ -354,10 +354,17 @@ def insole_on_floor(
     floor = shoe_floor(sole, design).top_mm
     curve = insole_outline(sole.foot, design, find_landmarks(sole.foot))
     on_insole = sole.field.nodes_about(curve, 0)
-    heights = contact.height_at(sole.field.nodes[:, :2]).reshape(floor.shape)
+    heights = _at_nodes(sole, contact).reshape(floor.shape)
     top = np.where(on_insole & np.isfinite(heights), heights, floor)
     *upper, body = layers
     return Ground(top, np.maximum(top - floor, 0.0), body, tuple(shoe), tuple(upper))
+
+
+def _at_nodes(sole: Sole, contact: HeightField) -> FloatArray:
+    """(n,) heights of a contact surface at the nodes of a sole; where they lie on it is kept."""
+    nodes = sole.field.nodes[:, :2]
+    shares = sole.derived.get("on contact", contact.grid, lambda: contact.weights_at(nodes))
+    return np.asarray(shares @ contact.heights_mm.ravel())
 
 
 def stand(
