@@ -455,7 +455,8 @@ def _outside_out(mesh: TriangleMesh, source2rough: FloatArray) -> tuple[Triangle
 
 def _as_it_lies(points: FloatArray, source2rough: FloatArray) -> list[Pose]:
     """Return the poses of a surface whose directions are known, the most likely first."""
-    return sorted(poses_as_it_lies(points, source2rough), key=lambda pose: pose.side_dissimilarity)
+    poses = poses_as_it_lies(points, source2rough)
+    return sorted(poses, key=lambda pose: pose.side_dissimilarity + pose.wrong_front)
 
 
 def _near_frame(mesh: TriangleMesh, points: FloatArray) -> list[Pose]:

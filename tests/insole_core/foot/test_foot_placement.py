@@ -141,6 +141,27 @@ def test_missing_toes_are_said(left_mesh):
     assert foot.length_mm > np.ptp(foot.mesh.vertices[:, 1])
 
 
+def as_wide(mesh: TriangleMesh, times: float) -> TriangleMesh:
+    return replace(mesh, vertices=mesh.vertices * [times, 1, 1])
+
+
+@pytest.mark.parametrize("times", [0.75, 0.85, 1.0, 1.15, 1.25, 1.35])
+@pytest.mark.parametrize("frame", ["reference", "unknown"])
+def test_toes_are_seen_on_feet_of_any_width(left_foot, times, frame):
+    whole = place_foot(as_wide(left_foot.mesh, times), Side.LEFT, frame=frame, force=True)
+    assert whole.length_mm == pytest.approx(left_foot.length_mm, abs=2)
+    assert not any("toes are missing" in note for note in whole.notes)
+
+
+@pytest.mark.parametrize("times", [0.75, 0.85, 1.0, 1.15, 1.25, 1.35])
+@pytest.mark.parametrize("cut", [0.77, 0.82, 0.87])
+def test_missing_toes_are_said_of_feet_of_any_width(left_foot, times, cut):
+    mesh = left_foot.mesh
+    behind = mesh.part(mesh.vertices[:, 1] < cut * left_foot.length_mm)
+    foot = place_foot(as_wide(behind, times), Side.LEFT, frame="reference", force=True)
+    assert any("toes are missing" in note for note in foot.notes)
+
+
 @pytest.mark.parametrize("cut_mm", [20.0, 35.0, 50.0])
 def test_a_missing_heel_is_said(left_mesh, left_foot, cut_mm):
     part = left_mesh.part(left_foot.mesh.vertices[:, 1] > cut_mm)
