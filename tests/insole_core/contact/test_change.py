@@ -175,7 +175,7 @@ def test_limits_hold_the_change_and_the_same_ground_changes_nothing(
 def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(sole: Sole) -> None:
     pads = list(forefoot_pads(sole).values())
     plain = np.full(sole.known.shape, 4.0)
-    cases = [(0, Posture.STANDING), (1, Posture.STANDING)]
+    cases = [(0, Posture.STANDING), (1, Posture.STANDING), (3, Posture.STANDING)]
     told = [
         pressure_change(
             Loading(sole, 70, posture),
@@ -184,11 +184,12 @@ def test_of_pads_under_the_heads_nothing_is_told_and_of_one_behind_them_it_is(so
         )
         for number, posture in cases
     ]
-    behind, under = (one.regions["metatarsal_heads"] for one in told)
+    behind, under, covered = (one.regions["metatarsal_heads"] for one in told)
     assert not behind.reason
     assert behind.percent is not None
     assert -17 < behind.percent < 0
     assert "not even the direction" in under.reason
+    assert "not even the direction" in covered.reason  # the ground comes up, in the same form
     assert {"metatarsal_heads", *HEADS} <= set(told[1].cannot_tell)
     assert {"metatarsal_heads", *HEADS} <= set(told[1].change.untold)  # and as much at a drag
     reasons = [told[1].regions[head].reason for head in HEADS]
