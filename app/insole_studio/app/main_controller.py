@@ -19,6 +19,7 @@ from insole_studio.document.case_names import title_of, whose
 from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.clinic.actions import OF_ACCOUNTS
+from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.features.records.actions import OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
@@ -26,6 +27,7 @@ from insole_studio.widgets.text_fields import commit_typed_text
 
 SCANNING = ("open_session", "open_archive", "capture")
 """Actions that bring a foot, which belongs to a visit."""
+ERASED = "case-erased"
 _STEP_ACTIONS = {"foot": "tool_key_point", "export": "export"}
 
 
@@ -137,6 +139,7 @@ class MainController(QObject):
         self._main.help.panels_requested.connect(self._show_panels)
         keeper.failed.connect(self._services.messages.show_error)
         keeper.state_changed.connect(self._show_kept)
+        keeper.erased.connect(self._tell_erased)
 
     def _connect_clinic(self) -> None:
         """Connect the administration of the record."""
@@ -165,15 +168,25 @@ class MainController(QObject):
 
     def _hide_patients(self) -> None:
         """Close all windows and drop all notices that may show a patient."""
+        self._close_windows(lambda dialog: dialog is self._features.clinic.lock.dialog)
+        self._services.notices.drop_all()
+        self._features.case_files.recovery.hide()
+
+    def _tell_erased(self) -> None:
+        """Close what may show the patient of the case that was closed; say why it was."""
+        self._close_windows(lambda dialog: isinstance(dialog, RecordDialog))  # such as of erasing
+        self._features.records.show_start()
+        sentence = tr("The patient whose visit was open was erased; the visit was closed.")
+        self._services.notices.put(ERASED, sentence, on_pages=True)
+
+    def _close_windows(self, stays: Callable[[QDialog], bool]) -> None:
+        """Close all windows of features, and all dialogs but some."""
         features = self._features
         for feature in (features.capture, features.export, features.compare, features.foot):
             feature.close()
         for dialog in QApplication.topLevelWidgets():
-            is_sign_in = dialog is features.clinic.lock.dialog
-            if isinstance(dialog, QDialog) and dialog.isVisible() and not is_sign_in:
+            if isinstance(dialog, QDialog) and dialog.isVisible() and not stays(dialog):
                 dialog.reject()
-        self._services.notices.drop_all()
-        features.case_files.recovery.hide()
 
     def _quit_locked(self) -> None:
         """End without a question or a picture of the case, whose copy is offered at the start."""

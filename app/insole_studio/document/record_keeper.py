@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum, auto
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
-from insole_core.errors import Conflict, InsoleError, Unreachable
+from insole_core.errors import Conflict, InsoleError, PersonErased, RecordsError, Unreachable
 from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
@@ -19,12 +20,16 @@ from insole_studio.document.kept_visit import KeptVisit, UnkeptVisit
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
+    from insole_core.records.person import Person
     from insole_core.records.prescription import Base
     from insole_core.records.records import Records
     from insole_core.records.visit import OpenedCase
     from insole_core.workflows.records.keep_case import KeptChange
 
+log = logging.getLogger(__name__)
+
 SAVE_AFTER_MS, RETRY_MS = 1000, 3000
+_WHOSE = "record-whose-case"
 Then = Callable[[], None]
 
 
@@ -71,6 +76,8 @@ class RecordKeeper(QObject):
     """There is a `patient_conflict` or a `conflict`; `settle_patient` and `settle` end them."""
     failed = Signal(object)
     """Emitted with an error that the user has to know of."""
+    erased = Signal()
+    """The patient was erased, here or at another station, and the case closed: nothing stays."""
 
     def __init__(
         self,
@@ -108,6 +115,7 @@ class RecordKeeper(QObject):
         case.changed.connect(self._note_change)
         case.saved_changed.connect(self._let_go)
         clinic.state_changed.connect(self._save_if_back)
+        clinic.changed.connect(self._look_whose)
 
     @property
     def is_keeping(self) -> bool:
@@ -219,8 +227,12 @@ class RecordKeeper(QObject):
             self._case.keep_foot(chosen, replace(self._case.kept, bases=bases))
             self._go_on_after_conflict()
 
+        def missed(error: Exception) -> None:
+            if self.visit_id == visit_id or not isinstance(error, PersonErased):
+                self._fail(error)
+
         self._clinic.write(
-            lambda r: r.prescriptions.settle(visit_id, mine, theirs, chosen), settled, self._fail
+            lambda r: r.prescriptions.settle(visit_id, mine, theirs, chosen), settled, missed
         )
 
     def _go_on_after_conflict(self) -> None:
@@ -262,6 +274,31 @@ class RecordKeeper(QObject):
         unsaved = (KeepState.CHANGED, KeepState.WAITING, KeepState.REFUSED)
         if self._clinic.state is RecordState.OPEN and self.state in unsaved:
             self._save()
+
+    def _look_whose(self) -> None:
+        """Ask for the patient of the open visit, who may have been erased meanwhile."""
+        kept = self._case.kept
+        if kept is not None:
+            visit_id = kept.visit.id
+            self._clinic.ask(
+                _WHOSE,
+                lambda records: _whose(records, kept),
+                lambda person: self._note_person(visit_id, person),
+                _note_failure,
+            )
+
+    def _note_person(self, visit_id: str, person: Person) -> None:
+        if self.visit_id == visit_id and person.is_erased:
+            self._close_erased()
+
+    def _close_erased(self) -> None:
+        """Close a case whose patient was erased; what was not saved yet goes with the patient."""
+        then, self._then, self._otherwise = self._then, None, None
+        self._is_saving = False
+        self._case.open(CaseRecord(), None)
+        self.erased.emit()
+        if then is not None:
+            then()
 
     def _save(self) -> None:
         """Save the case as it is now, unless it is being saved: then once more afterwards."""
@@ -342,12 +379,37 @@ class RecordKeeper(QObject):
             self._set_state(KeepState.WAITING)
             self._timer.start(RETRY_MS)
             self._leave_unsaved()
+        elif isinstance(error, PersonErased):
+            self._close_erased()
+        elif isinstance(error, RecordsError) and self._case.kept is not None:
+            self._refuse_unless_erased(self._case.kept, error)
         else:
-            self._set_state(KeepState.REFUSED)
-            if self._told != str(error):
-                self._told = str(error)
-                self.failed.emit(error)
-            self._stay()
+            self._refuse(error)
+
+    def _refuse_unless_erased(self, kept: KeptVisit, error: RecordsError) -> None:
+        """Tell why nothing was stored, unless the visit has gone with an erased patient."""
+
+        def found(person: Person) -> None:
+            if self.visit_id != kept.visit.id:
+                return
+            if person.is_erased:
+                self._close_erased()
+            else:
+                self._refuse(error)
+
+        self._clinic.ask(
+            f"{_WHOSE}-refused",
+            lambda records: _whose(records, kept),
+            found,
+            lambda _error: self._refuse(error),
+        )
+
+    def _refuse(self, error: InsoleError) -> None:
+        self._set_state(KeepState.REFUSED)
+        if self._told != str(error):
+            self._told = str(error)
+            self.failed.emit(error)
+        self._stay()
 
     def _leave_unsaved(self) -> None:
         """Leave the case for another one, once its journal is safe."""
@@ -376,6 +438,24 @@ class RecordKeeper(QObject):
             self.trouble = ""
         self.state = state
         self.state_changed.emit()
+
+
+def _whose(records: Records, kept: KeptVisit) -> Person:
+    """Return whose a visit is by now; of one that is gone, whose it was."""
+    try:
+        person_id = records.visits.get(kept.visit.id).person_id
+    except Unreachable:
+        raise
+    except RecordsError:
+        person_id = kept.person.id
+    return records.persons.get(person_id)
+
+
+def _note_failure(error: Exception) -> None:
+    """Let the next change of the record, or the next saving, ask again; a fault is told."""
+    if not isinstance(error, InsoleError):
+        raise error
+    log.warning("whose visit is open cannot be asked: %s", error)
 
 
 def _patient_conflict(mine: Patient, change: KeptChange) -> PatientConflict | None:

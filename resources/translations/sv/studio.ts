@@ -1396,6 +1396,10 @@
             <translation>Manualens sida om vad den här versionen kan</translation>
         </message>
         <message>
+            <source>The patient whose visit was open was erased; the visit was closed.</source>
+            <translation>Patienten vars besök var öppet har raderats; besöket stängdes.</translation>
+        </message>
+        <message>
             <source>The photo and its marks will be gone for good.</source>
             <translation>Fotot och dess märken försvinner för gott.</translation>
         </message>

@@ -571,6 +571,8 @@ class PatientRecords(QObject):
         self._keeper.settle(conflict, chosen_foot(choice, conflict.mine, theirs, author))
 
     def _remind(self) -> None:
+        if self._keeper.conflict is None:  # the case was closed as its patient was erased
+            return
         self._services.notices.put(
             CONFLICT,
             tr("Two versions of this foot wait for a decision; yours is kept on this computer."),

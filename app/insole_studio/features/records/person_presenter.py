@@ -229,6 +229,9 @@ class PersonPresenter:
     def _take(self, view: PersonView) -> None:
         if self._person is not None and self._person.id != view.person.id:
             self._history.clear()
+        if view.person.is_erased:  # what was typed before must not come back on the screen
+            self._page.forget_typed()
+            self._history.clear()
         if not self._is_storing:
             self._person = view.person
         self.visits = view.visits
