@@ -70,6 +70,8 @@ class Declared:
     main
         How it is said where a correction is told by its main values, such as
         ``"{value} at the rearfoot"``; None if it is not among them.
+    main_below
+        The same of a number below 0, whose sign it says in words; empty if the sign is said.
     within
         What the label belongs to, where it stands alone among differences.
     effect
@@ -81,6 +83,7 @@ class Declared:
     tip: str = ""
     expert: bool = field(default=False, kw_only=True)
     main: str | None = field(default=None, kw_only=True)
+    main_below: str = field(default="", kw_only=True)
     within: str = field(default="", kw_only=True)
     effect: str = field(default="", kw_only=True)
 

@@ -53,6 +53,7 @@ class Rocker(Correction):
             -20,
             40,
             main="{value} behind the heads",
+            main_below="{value} ahead of the heads",
         ),
     ] = 5.0
     slope_deg: Annotated[

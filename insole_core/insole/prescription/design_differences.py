@@ -257,5 +257,7 @@ def _main(correction: Correction) -> Message:
 
 
 def _said(found: Declared, value: Any) -> Message:
+    if found.main_below and value < 0:
+        return Message(found.main_below, value=worded(found, -value, _DECIMALS))
     said = worded(found, value, _DECIMALS)
     return Message(found.main, value=said) if found.main else said

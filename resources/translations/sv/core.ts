@@ -10432,6 +10432,10 @@
             <translation>{value} % av längden</translation>
         </message>
         <message>
+            <source>{value} ahead of the heads</source>
+            <translation>{value} framför huvudena</translation>
+        </message>
+        <message>
             <source>{value} at the forefoot</source>
             <translation>{value} i framfoten</translation>
         </message>

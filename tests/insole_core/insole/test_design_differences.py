@@ -46,6 +46,11 @@ ONE_LINE = [
         "Added: full-length lift, 8 mm, 50 % of it at the heads",
     ),
     (PLAIN, PLAIN.with_added(Rocker()), "Added: rocker, 5 mm behind the heads"),
+    (
+        PLAIN,
+        PLAIN.with_added(Rocker(behind_heads_mm=-7.5)),
+        "Added: rocker, 7.5 mm ahead of the heads",
+    ),
     (PLAIN, replace(PLAIN, bottom="following"), "Underside: flat → cupped"),
     (PLAIN, replace(PLAIN, base=BaseForm(form=FLAT)), "Base: from the foot → the form Flat"),
     (
