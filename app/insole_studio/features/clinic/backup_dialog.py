@@ -97,6 +97,8 @@ class BackupDialog(RecordDialog):
         self.progress = ProgressBar()
         self.now = self.add_button(tr("Back up now"), self._begin)
         self.make_primary(self.now)
+        for line in (self.passphrase.first, self.passphrase.again, self.recipient):
+            line.returnPressed.connect(self.now.click)
         self.cancel = self.add_button(tr("Cancel backup"), self._cancel)
         self._lay_out()
         backups.finished.connect(self._finish)

@@ -12,6 +12,8 @@ from threading import Event
 import pyrage
 import pytest
 from administering import PASSWORD, shown, type_into
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from insole_core.messages import Value
@@ -72,7 +74,7 @@ def test_the_first_backup_asks_for_a_passphrase_and_tells_that_it_was_checked(
     assert "at least 12 characters" in dialog.message.text()
     for line in (dialog.passphrase.first, dialog.passphrase.again):
         type_into(line, PASSWORD)
-    dialog.now.click()
+    QTest.keyClick(dialog.passphrase.again, Qt.Key.Key_Return)
     rest()
     assert "read again and is right" in dialog.message.text()
     assert not dialog.passphrase.first.isVisible()
@@ -92,7 +94,7 @@ def test_a_public_key_is_taken_in_place_of_a_passphrase(
     assert dialog.recipient.isVisible()
     assert not dialog.passphrase.first.isVisible()
     type_into(dialog.recipient, "age1nonsense")
-    dialog.now.click()
+    QTest.keyClick(dialog.recipient, Qt.Key.Key_Return)
     rest()
     assert "public key of age" in dialog.message.text()
     assert snapshots_in(backup_folder) == []
