@@ -14,7 +14,7 @@ from insole_core.records.audit import AuditLog
 from insole_core.records.author import utc_now
 from insole_core.records.context import RecordsContext
 from insole_core.records.marks import Merged, mark_of
-from insole_core.records.person import Person, new_id
+from insole_core.records.person import Person, PersonSummary, new_id
 from insole_core.records.rights import Right
 from insole_core.records.row_seals import ids_of_persons
 from insole_core.records.rows import (
@@ -38,6 +38,9 @@ _MERGE_COLUMNS: Final = (
     merges.c.at,
     merges.c.author,
 )
+
+_TOLD: Final = ("id", "name", "birth_date", "personal_number", "pseudonym")
+"""Columns of a person by which `PersonSummary` tells who they are."""
 
 
 @dataclass(frozen=True)
@@ -78,11 +81,11 @@ class MergePreview:
 
 @dataclass(frozen=True)
 class NamedMerge:
-    """A merge, and the names of both persons."""
+    """A merge, and who both persons are: namesakes are told apart by the rest."""
 
     merge: Merge
-    kept_name: str
-    merged_name: str
+    kept: PersonSummary
+    merged: PersonSummary
 
 
 def preview_merge(context: RecordsContext, keep_id: str, merge_id: str) -> MergePreview:
@@ -108,16 +111,22 @@ def latest_merges(context: RecordsContext, limit: int = 100) -> list[NamedMerge]
     """Return the merges that are not undone, the latest first."""
     kept, merged = persons.alias(), persons.alias()
     query = (
-        select(*_MERGE_COLUMNS, kept.c.name.label("kept_name"), merged.c.name.label("merged_name"))
+        select(*_MERGE_COLUMNS, *(person.c[name] for person in (kept, merged) for name in _TOLD))
         .join(kept, kept.c.id == merges.c.kept_id)
         .join(merged, merged.c.id == merges.c.merged_id)
         .where(merges.c.undone_at.is_(None))
         .order_by(merges.c.at.desc())
         .limit(limit)
     )
+    first = len(_MERGE_COLUMNS)
+    second = first + len(_TOLD)
     with context.reading() as connection:
         return [
-            NamedMerge(Merge(*row[: len(_MERGE_COLUMNS)]), row.kept_name, row.merged_name)
+            NamedMerge(
+                Merge(*row[:first]),
+                PersonSummary(*row[first:second]),
+                PersonSummary(*row[second:]),
+            )
             for row in connection.execute(query)
         ]
 

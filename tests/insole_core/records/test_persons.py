@@ -12,7 +12,7 @@ from stations import ANNA
 from insole_core.errors import Conflict, InputError, RecordsError
 from insole_core.records.merging import MergePreview, NamedMerge
 from insole_core.records.person import Person, PersonSummary
-from insole_core.records.person_matching import Likeness, find_duplicates
+from insole_core.records.person_matching import Likeness, find_duplicates, summary_of
 from insole_core.records.records import Records
 from insole_core.records.visit import FollowUp, Visit
 
@@ -303,7 +303,7 @@ def test_a_merge_is_told_before_it_is_done_and_named_until_it_is_undone(records:
     assert records.visits.of_person(kept.id) == []
     merge = records.persons.merge(kept.id, other.id)
     (named,) = records.persons.latest_merges()
-    assert named == NamedMerge(merge, "Anna Berg", "Anna Berg")
+    assert named == NamedMerge(merge, summary_of(kept), summary_of(other))
     records.persons.undo_merge(named.merge)
     assert records.persons.latest_merges() == []
     assert len(records.visits.of_person(other.id)) == 1

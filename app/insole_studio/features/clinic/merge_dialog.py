@@ -320,5 +320,6 @@ def _proposal(key: str, duplicate: Duplicate) -> TableRow:
 
 def _merge_row(named: NamedMerge) -> TableRow:
     merge = named.merge
-    cells = (named.kept_name, named.merged_name, moment_text(merge.at), merge.author)
+    persons = (f"{_named(person)}, {person.pseudonym}" for person in (named.kept, named.merged))
+    cells = (*persons, moment_text(merge.at), merge.author)
     return TableRow(merge.id, cells)

@@ -44,6 +44,11 @@ def test_a_proposal_tells_what_moves_merges_and_is_undone(
     assert len(records.visits.of_person(kept.id)) == 2
     assert records.persons.get(other.id).id == kept.id
     dialog.tabs.setCurrentIndex(1)
+    (merge,) = dialog.merges.rows
+    assert merge.cells[:2] == (
+        f"Anna Berg, 1970-02-28, {kept.pseudonym}",
+        f"BERG, ANNA, 1970-02-28, {other.pseudonym}",
+    )
     assert dialog.undo.isVisible()
     dialog.undo.click()
     rest()
