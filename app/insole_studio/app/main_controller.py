@@ -237,7 +237,7 @@ class MainController(QObject):
         on_person: dict[str, Callable[[], None]] = {
             "undo": records.undo,
             "redo": records.redo,
-            "erase_patient": lambda: administration.open_erase(records.pseudonym),
+            "erase_patient": lambda: administration.open_erase(records.person_on_page),
         }
         if key in on_person and self._is_on_person:
             return lambda _on: on_person[key]()

@@ -212,16 +212,20 @@
             <translation>Radera alla i listan…</translation>
         </message>
         <message>
-            <source>Erase for good</source>
-            <translation>Radera för alltid</translation>
-        </message>
-        <message>
             <source>Erase {count} patients for good</source>
             <translation>Radera {count} patienter för gott</translation>
         </message>
         <message>
+            <source>Erase {pseudonym} for good</source>
+            <translation>Radera {pseudonym} för gott</translation>
+        </message>
+        <message>
             <source>Erased are name, birth date, personal number, contact and all notes, and captures that no insole was made from.</source>
             <translation>Namn, födelsedatum, personnummer, kontaktuppgifter och alla anteckningar raderas, liksom avbildningar som inget inlägg gjordes av.</translation>
+        </message>
+        <message>
+            <source>Erase…</source>
+            <translation>Radera…</translation>
         </message>
         <message>
             <source>Every day</source>

@@ -18,6 +18,7 @@ from insole_studio.texts import tr, translate_core_message
 if TYPE_CHECKING:
     from insole_core.messages import Message
     from insole_core.records.backup.restore import RestoreReport
+    from insole_core.records.person import Person
     from insole_core.records.records import Records
 
 UPGRADED = "record-upgraded"
@@ -113,19 +114,19 @@ class ClinicAdministration(QObject):
         self._check_open()
         MergeDialog(self._clinic, self._services.window).open()
 
-    def open_erase(self, pseudonym: str = "") -> None:
+    def open_erase(self, on_page: Person | None = None) -> None:
         """Erase a patient.
 
         Parameters
         ----------
-        pseudonym
-            Of the patient whose page is shown; empty for none.
+        on_page
+            The patient whose page is shown; None for none.
         """
         from insole_studio.features.clinic.erase_dialog import EraseDialog
 
         self._check_open()
         kept = self._services.case.kept
-        shown = pseudonym or ("" if kept is None else kept.person.pseudonym)
+        shown = on_page or (None if kept is None else kept.person)
         services = self._services
         EraseDialog(self._clinic, shown, services.leftovers, services.window).open()
 

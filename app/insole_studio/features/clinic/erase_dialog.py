@@ -18,6 +18,7 @@ from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
+    from insole_core.records.person import Person
     from insole_core.records.records import Records
     from insole_core.records.retention import Erasable, Erasure
 
@@ -43,12 +44,14 @@ class _Shown:
 
 
 class EraseDialog(RecordDialog):
-    """Names nobody: whoever erases finds the patient by the pseudonym of a written request.
+    """Finds the patient by the pseudonym of a written request, and names nobody but who is shown.
+
+    Whoever erases may be somebody who may not see patients.
 
     Parameters
     ----------
-    pseudonym
-        Of the patient whose page is shown; empty for none.
+    shown
+        The patient whose page or visit the window shows, proposed and named; None for none.
     leftovers
         What this computer holds of them, which is removed once they are erased.
     """
@@ -56,19 +59,21 @@ class EraseDialog(RecordDialog):
     def __init__(
         self,
         clinic: ClinicRecord,
-        pseudonym: str,
+        shown: Person | None,
         leftovers: ErasedLeftovers,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(tr("Erase a patient"), clinic, parent)
         self.resize(*_SIZE)
         self._leftovers = leftovers
+        self._shown_person = shown
         self._found: Erasable | None = None
         self._over: list[Erasable] = []
         self._is_asked = False
+        self._is_one_asked = False
         self._today = date.today()
         self._years = LEAST_YEARS
-        self.pseudonym = QLineEdit(pseudonym)
+        self.pseudonym = QLineEdit("" if shown is None else shown.pseudonym)
         self.pseudonym.setMaxLength(_MOST_LETTERS)
         self.pseudonym.setPlaceholderText(tr("As it stands on the patient's page: P-…"))
         self.pseudonym.textEdited.connect(lambda _text: self._forget())
@@ -92,7 +97,7 @@ class EraseDialog(RecordDialog):
         self.over.setAccessibleName(tr("The time of keeping is over"))
         self.over.chosen.connect(self._take)
         self.erase_all = self.add_button("", self._erase_all)
-        self.erase = self.add_button(tr("Erase for good"), self._erase)
+        self.erase = self.add_button("", self._erase)
         self._lay_out()
         self._ask_before_all()
         self._allow()
@@ -190,9 +195,17 @@ class EraseDialog(RecordDialog):
 
     def _show(self, found: Erasable) -> None:
         self._found = found
-        self.means.say_all(_meaning(found, self._today))
+        self.means.say_all([*self._who(found), *_meaning(found, self._today)])
         self.make_room()
         self._allow()
+
+    def _who(self, found: Erasable) -> list[str]:
+        """Return name and birth date of the patient whom the window shows anyhow."""
+        shown = self._shown_person
+        if shown is None or shown.id != found.person_id:
+            return []
+        born = shown.birth_date
+        return [shown.name if born is None else f"{shown.name}, {born.isoformat()}"]
 
     def _forget(self) -> None:
         self._found = None
@@ -200,6 +213,11 @@ class EraseDialog(RecordDialog):
         self._allow()
 
     def _allow(self) -> None:
+        """Let the button ask first, for the one who is shown and the reason that is chosen."""
+        if self._is_one_asked:
+            self._is_one_asked = False
+            self.say("")
+        self.erase.setText(tr("Erase…"))
         has_reason = self.reason.currentData() != _NO_REASON
         self.erase.setEnabled(self._found is not None and has_reason)
 
@@ -210,8 +228,18 @@ class EraseDialog(RecordDialog):
         self._forget()
 
     def _erase(self) -> None:
+        """Erase who is shown, once it has been asked whether it is the right one."""
         found, today, leftovers = self._found, self._today, self._leftovers
         assert found is not None
+        if not self._is_one_asked:
+            self._is_one_asked = True
+            self.erase.setText(tr("Erase {pseudonym} for good").format(pseudonym=found.pseudonym))
+            sentences = [
+                *self._who(found),
+                tr("This cannot be undone; backups made before still hold the patient."),
+            ]
+            self.say_all(sentences, warns=True)
+            return
         reason = ErasureReason(self.reason.currentData())
 
         def erase(records: Records) -> tuple[Erasure, _Shown]:

@@ -207,7 +207,7 @@ class PatientRecords(QObject):
         is_on_page = self.person is not None and self.person.isVisible()
         kept = self._services.case.kept
         person = None if kept is None else kept.person
-        person = self._shown_person if is_on_page else person
+        person = self.person_on_page if is_on_page else person
         if person is None:
             self._services.messages.say(tr("Open a patient first."))
             return
@@ -226,7 +226,7 @@ class PatientRecords(QObject):
         same_prescription
             Whether a new scan gets the last prescription at once; otherwise it is offered.
         """
-        person = self._shown_person
+        person = self.person_on_page
         if person is None:
             self.show_start()
             return
@@ -267,7 +267,7 @@ class PatientRecords(QObject):
 
     def _delete_visit(self, visit_id: str) -> None:
         """Delete a visit of the person on the page if it is empty, or say why it is kept."""
-        person = self._shown_person
+        person = self.person_on_page
         shown = (
             None if self._person_presenter is None else self._person_presenter.visit_of(visit_id)
         )
@@ -306,7 +306,7 @@ class PatientRecords(QObject):
             self.orders.folder_requested.connect(self.order_files.open_folder)
         assert self._orders_presenter is not None
         self.page_requested.emit(self.orders)
-        self._orders_presenter.show(self._shown_person if of_person else None)
+        self._orders_presenter.show(self.person_on_page if of_person else None)
 
     def show_photos(self) -> None:
         """Show the photos of the open visit."""
@@ -354,7 +354,7 @@ class PatientRecords(QObject):
 
     def ask_follow_up(self) -> None:
         """Show what became of the insoles of the person on the page, and ask for more."""
-        person = self._shown_person
+        person = self.person_on_page
         if person is None:
             return
 
@@ -369,17 +369,13 @@ class PatientRecords(QObject):
         )
 
     @property
-    def pseudonym(self) -> str:
-        """The pseudonym of the person on the page; empty for none."""
-        return "" if self._shown_person is None else self._shown_person.pseudonym
-
-    @property
     def name_on_page(self) -> str:
         """The name of the person on the page; empty for none, and until it is read."""
-        return "" if self._shown_person is None else self._shown_person.name
+        return "" if self.person_on_page is None else self.person_on_page.name
 
     @property
-    def _shown_person(self) -> Person | None:
+    def person_on_page(self) -> Person | None:
+        """The person on the page; None for none, and until it is read."""
         return None if self._person_presenter is None else self._person_presenter.person
 
     def _add_follow_up(self, follow_up: FollowUp) -> None:

@@ -107,6 +107,17 @@ def test_erasing_tells_what_the_law_keeps_and_asks_for_the_reason(
     dialog.reason.activated.emit(1)
     dialog.erase.click()
     rest()
+    assert dialog.erase.text() == f"Erase {anna.pseudonym} for good"
+    assert "cannot be undone" in dialog.message.text()
+    assert not records.persons.get(anna.id).is_erased
+    type_into(dialog.pseudonym, anna.pseudonym)
+    assert dialog.erase.text() == "Erase…", "what is asked is asked of who is shown"
+    assert dialog.message.text() == ""
+    dialog.find_button.click()
+    rest()
+    dialog.erase.click()
+    dialog.erase.click()
+    rest()
     assert "stay documented until" in dialog.message.text()
     erased = records.persons.get(anna.id)
     assert erased.is_erased
@@ -130,6 +141,16 @@ def test_whoever_is_on_the_page_is_proposed_to_be_erased_by_the_pseudonym_there(
     rest()
     assert dialog.pseudonym.text() == anna.pseudonym
     assert "visits 0, orders 0" in dialog.means.text()
+    assert dialog.means.text().startswith("Anna Berg, 1970-02-28")
+    berta = records.persons.add(Person("Berta Dal", BORN))
+    type_into(dialog.pseudonym, berta.pseudonym)
+    dialog.find_button.click()
+    rest()
+    assert berta.pseudonym in dialog.means.text()
+    assert "Anna" not in dialog.means.text()
+    assert "Berta" not in dialog.means.text(), (
+        "whoever erases may not be somebody who sees patients"
+    )
 
 
 def test_the_log_is_filtered_by_patient_author_and_day_and_verified(
