@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from insole_studio.features.export.rows import TIPS, CheckRow, CheckState
 from insole_studio.texts import tr
 from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
+from insole_studio.widgets.wrapped_button import WrappedButton
 
 LIMIT_PX = 96
 _SIGNS = {
@@ -60,7 +61,7 @@ class _Row(QWidget):
         self.sign.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.sign.setFixedSize(22, 22)
         title = QLabel(row.title)
-        self.sentence = QPushButton()
+        self.sentence = WrappedButton()
         self.sentence.setObjectName("row")
         self.sentence.clicked.connect(self._choose)
         self.limit: NumberField | None = None
