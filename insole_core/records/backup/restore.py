@@ -9,7 +9,7 @@ from __future__ import annotations
 import io
 import logging
 import sqlite3
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Set
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
@@ -80,6 +80,8 @@ class RestoreReport:
         Where the record is that was there before.
     erased_again
         Persons who were erased after the backup was made.
+    is_erasure_unknown
+        Whether the record that was there before could not be asked who was erased.
     files, kept_files
         Settings that were restored, and those that were there already and stay.
     """
@@ -92,12 +94,14 @@ class RestoreReport:
     audit: AuditReport
     set_aside: Path | None = None
     erased_again: int = 0
+    is_erasure_unknown: bool = False
     files: int = 0
     kept_files: int = 0
 
 
 Revise: TypeAlias = Callable[[SavedFile, bytes], bytes]
-_Fill: TypeAlias = Callable[[Database], RestoreReport]
+_Fill: TypeAlias = Callable[[Database, Set[str]], RestoreReport]
+"""Fills a database, and erases from it who is known to be erased."""
 
 
 def restore(
@@ -163,11 +167,12 @@ def _restore_file(
     make_output_folder(path.parent)
     if path.exists() and path.stat().st_size > 0 and not replace_existing:
         _check_empty(place, manifest)
+    erased = _erased_in(place) if path.exists() and path.stat().st_size > 0 else frozenset()
     with output_errors(path):
         beside = make_file(path.parent, path)
     try:
         with _opened(replace(place, url=place.url.set(database=str(beside)))) as database:
-            report = fill(database)
+            report = fill(database, erased or frozenset())
         set_aside = _set_aside(path) if path.exists() else None
         with output_errors(path):
             sync(beside)
@@ -178,13 +183,26 @@ def _restore_file(
         for name in (beside, *(Path(f"{beside}{suffix}") for suffix in _BESIDE)):
             _try_to_remove(name)
         release(beside)
-    return replace(report, set_aside=set_aside)
+    return replace(report, set_aside=set_aside, is_erasure_unknown=erased is None)
+
+
+def _erased_in(place: RecordsPlace) -> Set[str] | None:
+    """Return who is erased in the record that is to be set aside; None where it cannot be read."""
+    try:
+        with _opened(place) as database, database.reading() as connection:
+            if schema_of(connection) is None:
+                return frozenset()
+            query = select(persons.c.id).where(persons.c.is_erased)
+            return frozenset(connection.execute(query).scalars())
+    except (InsoleError, SQLAlchemyError) as error:
+        log.warning("%s cannot be asked who was erased: %s", place.name, error)
+        return None
 
 
 def _restore_server(place: RecordsPlace, manifest: Manifest, fill: _Fill) -> RestoreReport:
     _check_empty(place, manifest)
     with _opened(place) as database:
-        return fill(database)
+        return fill(database, frozenset())
 
 
 @contextmanager
@@ -198,6 +216,8 @@ def _opened(place: RecordsPlace) -> Iterator[Database]:
 
 def _fill(
     database: Database,
+    erased: Set[str],
+    *,
     opened: OpenedSnapshot,
     store: ContentStore,
     who: Author,
@@ -220,16 +240,17 @@ def _fill(
         write_setting(connection, IDENTITY_VALUE, store.identity())
     migrate(database)
     with database.writing() as connection:
-        erased = _erase_again(connection, opened, RecordsContext(database, store, who))
+        context = RecordsContext(database, store, who)
+        count = _erase_again(connection, {*erased, *opened.newest.erased}, context)
         AuditLog.append(connection, who, RESTORED, "record", f"snapshot {opened.snapshot.number}")
-    return replace(report, erased_again=erased)
+    return replace(report, erased_again=count)
 
 
-def _erase_again(connection: Connection, opened: OpenedSnapshot, context: RecordsContext) -> int:
-    """Erase whoever was erased after this snapshot and before the newest one."""
+def _erase_again(connection: Connection, erased: Set[str], context: RecordsContext) -> int:
+    """Erase whoever is known to be erased: by the newest snapshot, or the record there was."""
     query = select(persons.c.id).where(~persons.c.is_erased, persons.c.merged_into.is_(None))
     there = set(connection.execute(query).scalars())
-    coming = sorted(there.intersection(opened.newest.erased))
+    coming = sorted(there.intersection(erased))
     for person_id in coming:
         today = datetime.now(UTC).date()
         erase_in(connection, context, person_id, ErasureReason.REQUEST, today)

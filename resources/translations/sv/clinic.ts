@@ -600,6 +600,10 @@
             <translation>Patienten har bett om det</translation>
         </message>
         <message>
+            <source>The record before cannot be read: who was erased after the backup may be in the list of patients again; erase them once more.</source>
+            <translation>Den tidigare journalen kan inte läsas: den som raderades efter säkerhetskopian kan stå i patientlistan igen; radera en gång till.</translation>
+        </message>
+        <message>
             <source>The record before is kept as {path}.</source>
             <translation>Den tidigare journalen finns kvar som {path}.</translation>
         </message>

@@ -224,6 +224,30 @@ def test_an_earlier_backup_does_not_bring_an_erased_person_back(
     restored.database.close()
 
 
+def test_the_record_that_is_set_aside_is_asked_who_was_erased(
+    context: RecordsContext, tmp_path: Path
+) -> None:
+    """No backup was made since; the record that cannot be read is told of."""
+    place = RecordsPlace.local(tmp_path / "restored")
+    set_up_backups(context, BackupKey.for_recipients([RECIPIENT]))
+    back_up(context, tmp_path / "backups")
+    report = restore(tmp_path / "backups", SECRET, place, ANNA)
+    assert (report.erased_again, report.is_erasure_unknown) == (0, False)
+    restored = context_of(place)
+    assert "Storgatan" in everything(restored)
+    erase_person(restored, "kept", REQUEST, TODAY)
+    restored.database.close()
+    report = restore(tmp_path / "backups", SECRET, place, ANNA, replace_existing=True)
+    assert (report.erased_again, report.is_erasure_unknown) == (1, False)
+    restored = context_of(place)
+    assert [word for word in PERSONAL if word in everything(restored)] == []
+    restored.database.close()
+    place.database_file.write_bytes(b"no database at all" * 1000)
+    report = restore(tmp_path / "backups", SECRET, place, ANNA, replace_existing=True)
+    assert (report.erased_again, report.is_erasure_unknown) == (0, True)
+    assert report.set_aside is not None
+
+
 def test_who_may_be_erased_is_found_by_the_pseudonym_without_a_name(
     context: RecordsContext,
 ) -> None:

@@ -274,6 +274,8 @@ def _run_restore(arguments: argparse.Namespace, progress: Progress) -> None:
         print(visible_line(f"the record before is kept as {report.set_aside}"))
     if report.erased_again:
         print(f"erased since the backup, and again now: {report.erased_again} persons")
+    if report.is_erasure_unknown:
+        print("the record before cannot be read: who was erased since the backup may be back")
     for sha256 in report.left_out:
         print(f"was lost before the backup was made: {sha256}")
     if report.audit.problem is not None:

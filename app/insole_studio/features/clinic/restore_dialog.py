@@ -310,6 +310,13 @@ def restored_lines(report: RestoreReport) -> list[str]:
                 count=report.erased_again
             )
         )
+    if report.is_erasure_unknown:
+        lines.append(
+            tr(
+                "The record before cannot be read: who was erased after the backup may be in the "
+                "list of patients again; erase them once more."
+            )
+        )
     if report.left_out:
         lines.append(
             tr("{count} files were lost before it was made, and are not in it.").format(

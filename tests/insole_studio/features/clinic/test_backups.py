@@ -24,6 +24,7 @@ from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.snapshot import Manifest
 from insole_core.records.person import Person
 from insole_core.records.records import Records
+from insole_core.records.retention import ErasureReason, erase_person
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.clinic import backups
@@ -425,6 +426,40 @@ def test_a_backup_is_shown_and_never_restored_over_a_newer_record_without_a_word
     assert record.is_open
     assert [p.name for p in record.ask_now(lambda r: r.persons.everybody())] == ["Anna Berg"]
     assert len(list(paths.records_folder.glob("* until *.sqlite3"))) == 1
+
+
+@pytest.mark.parametrize("is_readable", [True, False])
+def test_who_was_erased_after_the_backup_is_erased_again_or_that_is_not_known(
+    clinic: Application,
+    records: Records,
+    run: Run,
+    rest: Callable[[], None],
+    backup_folder: Path,
+    damage: Callable[[str], None],
+    is_readable: bool,
+) -> None:
+    anna = records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    set_up(records)
+    back_up(records.context, backup_folder)
+    erase_person(records.context, anna.id, ErasureReason.REQUEST, date.today())
+    if not is_readable:
+        damage("persons")
+        clinic.services.clinic.open()
+        rest()
+    clinic.settings.backup_folder = str(backup_folder)
+    dialog = run("restore_record", RestoreDialog)
+    assert isinstance(dialog, RestoreDialog)
+    type_into(dialog.secret, SECRET)
+    dialog.show_button.click()
+    rest()
+    dialog.restore_button.click()
+    rest()
+    dialog.restore_button.click()
+    rest()
+    there = clinic.services.clinic.ask_now(lambda r: r.persons.get(anna.id))
+    assert there.is_erased is is_readable
+    assert ("1 patients were erased after" in dialog.message.text()) is is_readable
+    assert ("who was erased after the backup may be" in dialog.message.text()) is not is_readable
 
 
 def test_a_damaged_record_is_restored_from_the_start_page(
