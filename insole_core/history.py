@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Generic, TypeVar
 
 Value = TypeVar("Value")
@@ -65,6 +66,14 @@ class History(Generic[Value]):
     def end_merging(self) -> None:
         """Do not merge the next change into the last one, whatever its key."""
         self._open_key = ""
+
+    def revise(self, revised: Callable[[Value], Value]) -> None:
+        """Let all steps lead to other values, such as with what no step is to take back."""
+        for changes in (self._done, self._undone):
+            changes[:] = [
+                replace(change, before=revised(change.before), after=revised(change.after))
+                for change in changes
+            ]
 
     def clear(self) -> None:
         """Discard all changes."""

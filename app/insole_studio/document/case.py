@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
@@ -20,6 +21,8 @@ from insole_core.insole.prescription.design import InsoleDesign
 from insole_studio.document.kept_visit import KeptVisit
 
 Changeable = InsoleDesign | Annotations | Patient | FootRecord | CaseRecord
+_OF_PERSON = ("name", "born", "pseudonym")
+"""Fields of the patient that are those of the person, and not of the visit."""
 Prescribed = TypeVar("Prescribed", bound=Correction)
 
 
@@ -150,6 +153,43 @@ class Case(QObject):
             terms = order.terms
         self._saved_record = replace(self._saved_record, order=order)
         self.note_order(replace(order, terms=terms))
+
+    def take_person(self, stored: Patient, kept: KeptVisit) -> None:
+        """Take what the clinic's record holds of the person by now; what is changed here stays.
+
+        No step of undo takes it back: each leads to the values that took the place of those there.
+        """
+        self.kept = kept
+        if self._changed_elsewhere(stored):
+            self.leaving.emit()  # what is being typed is a change of here
+        before = self._changed_elsewhere(stored)
+        if not before:
+            return
+
+        @cache  # one patient stays one: by that it is seen what is not saved yet
+        def renamed(patient: Patient) -> Patient:
+            values = {n: getattr(stored, n) for n in before if getattr(patient, n) == before[n]}
+            return replace(patient, **values)
+
+        def taken(record: CaseRecord) -> CaseRecord:
+            return replace(record, patient=renamed(record.patient))
+
+        self._shown = None
+        self._history.revise(taken)
+        self._saved_record = taken(self._saved_record)
+        self._set(taken(self._record))
+
+    def _changed_elsewhere(self, stored: Patient) -> dict[str, str]:
+        """Return as saved last those of the person's fields that are stored otherwise by now.
+
+        What was changed here, too, is none of them: it is a conflict, if it is one, of the saving.
+        """
+        mine, saved = self._record.patient, self._saved_record.patient
+        return {
+            name: getattr(saved, name)
+            for name in _OF_PERSON
+            if getattr(mine, name) == getattr(saved, name) != getattr(stored, name)
+        }
 
     def end_merging(self) -> None:
         """Let the next change be an undo step of its own, as the user begins another gesture."""

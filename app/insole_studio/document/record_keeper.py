@@ -276,7 +276,7 @@ class RecordKeeper(QObject):
             self._save()
 
     def _look_whose(self) -> None:
-        """Ask for the patient of the open visit, who may have been erased meanwhile."""
+        """Ask for the patient of the open visit, who may have been merged or erased meanwhile."""
         kept = self._case.kept
         if kept is not None:
             visit_id = kept.visit.id
@@ -288,8 +288,28 @@ class RecordKeeper(QObject):
             )
 
     def _note_person(self, visit_id: str, person: Person) -> None:
-        if self.visit_id == visit_id and person.is_erased:
+        if self.visit_id != visit_id:
+            return
+        if person.is_erased:
             self._close_erased()
+        elif not self._is_saving and self.state is not KeepState.CONFLICT:  # else it looks again
+            self._take_person(person)
+
+    def _take_person(self, person: Person) -> None:
+        """Let the open visit be that of whoever it belongs to by now, such as after a merge."""
+        kept = self._case.kept
+        assert kept is not None
+        if person == kept.person:
+            return
+        kept = replace(kept, person=person, visit=replace(kept.visit, person_id=person.id))
+        born = "" if person.birth_date is None else person.birth_date.isoformat()
+        stored = replace(
+            self._case.saved_record.patient,
+            name=person.name,
+            born=born,
+            pseudonym=person.pseudonym,
+        )
+        self._case.take_person(stored, kept)
 
     def _close_erased(self) -> None:
         """Close a case whose patient was erased; what was not saved yet goes with the patient."""

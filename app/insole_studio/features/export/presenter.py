@@ -584,6 +584,7 @@ class ExportPresenter:
         if record.feet is before.feet and record.at_hand is before.at_hand:
             self._record = record
             self._panel.show_patient(patient_text(record.patient))
+            self._take_pseudonym(before.patient.pseudonym, record.patient.pseudonym)
             if record.order != before.order:
                 self._number_again()
             return
@@ -594,6 +595,12 @@ class ExportPresenter:
         }
         self._choice = replace(self._choice, own_materials=own)
         self.remake()
+
+    def _take_pseudonym(self, before: str, now: str) -> None:
+        """Order under the patient's other pseudonym, as after a merge, but for one typed here."""
+        if now and now != before and self._choice.pseudonym == before:
+            self.edit_choice(replace(self._choice, pseudonym=now))
+            self._show_order()
 
     def _take_terms(self, terms: OrderTerms) -> None:
         """Show terms that were changed elsewhere; those that were edited here are shown already."""

@@ -20,6 +20,7 @@ from insole_core.cases.order_note import OrderNote
 from insole_core.errors import RecordsError, Unreachable
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
+from insole_core.records.person import Person
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.record_field import FieldChoice
 from insole_core.records.records import Records
@@ -30,6 +31,7 @@ from insole_studio.document import clinic_record, record_keeper
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
+from insole_studio.features.clinic.merge_dialog import MergeDialog
 from insole_studio.features.records.version_dialogs import (
     Choice,
     ConflictDialog,
@@ -538,3 +540,41 @@ def test_no_visit_is_begun_while_the_open_one_cannot_be_left(
     rest()
     assert [kept.id for kept in records.visits.of_person(visit.person_id)] == [visit.id]
     assert opened.services.keeper.visit_id == visit.id
+
+
+def test_an_open_visit_takes_the_pseudonym_of_whom_it_is_merged_into_and_gives_it_back(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    """In the window that exports, too, and through all steps of undo."""
+    anna = records.persons.get(visit.person_id)
+    twin = records.persons.add(Person("Anna Berg", anna.birth_date))
+    thicken(opened, 4.5)
+    wait_until_saved(opened, qtbot)
+    opened.case.apply(replace(opened.case.record.patient, notes="Pain at night"), "Edit")
+    wait_until_saved(opened, qtbot)
+    opened.controller.run_action("export", False)
+    opened.window.actions_by_key["merge_patients"].trigger()
+    (dialog,) = opened.window.findChildren(MergeDialog)
+    rest()
+    if "visits 1" not in dialog.moves.text():
+        dialog.swap.click()
+        rest()
+    dialog.merge.click()
+    qtbot.waitUntil(lambda: opened.case.record.patient.pseudonym == twin.pseudonym)
+    form = opened.features.export.stage.view.form
+    assert form.pseudonym.text() == twin.pseudonym
+    assert opened.case.kept is not None
+    assert opened.case.kept.person.id == twin.id
+    assert not opened.case.has_unsaved_changes
+    for _ in range(2):
+        opened.case.undo()
+        assert opened.case.record.patient.pseudonym == twin.pseudonym
+    wait_until_saved(opened, qtbot)
+    assert records.persons.get(twin.id).pseudonym == twin.pseudonym
+    dialog.tabs.setCurrentIndex(1)
+    dialog.undo.click()
+    qtbot.waitUntil(lambda: opened.case.record.patient.pseudonym == anna.pseudonym)
