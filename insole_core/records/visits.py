@@ -172,6 +172,18 @@ class Visits:
             AuditLog.seal(connection, self._context.author, "visit", [visit_id])
             self._context.log(connection, "deleted", "visit", visit_id, person=visit.person_id)
 
+    def note_seen(self, visit_id: str) -> None:
+        """Let the audit log tell that somebody sees a visit, such as one that was open already.
+
+        Raises
+        ------
+        RecordsError
+            When there is no such visit.
+        """
+        if not self._context.database.is_read_only:
+            with self._context.writing_visit(Right.SEE, visit_id) as (connection, visit):
+                self._context.log(connection, "seen", "visit", visit_id, person=visit.person_id)
+
     def open_case(self, visit_id: str) -> OpenedCase:
         """Return a visit as the case that a window works on, which the audit log tells.
 
@@ -182,9 +194,7 @@ class Visits:
         RecordsError
             When there is no such visit, or a surface is missing or was changed on the disk.
         """
-        if not self._context.database.is_read_only:
-            with self._context.writing_visit(Right.SEE, visit_id) as (connection, visit):
-                self._context.log(connection, "seen", "visit", visit_id, person=visit.person_id)
+        self.note_seen(visit_id)
         with self._context.reading() as connection:
             visit = visit_of(connection, visit_id)
             person = person_of(connection, visit.person_id)

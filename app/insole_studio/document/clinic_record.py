@@ -74,6 +74,8 @@ class ClinicRecord(QObject):
     state_changed = Signal()
     changed = Signal()
     """Somebody has changed the record, here or at another station."""
+    author_changed = Signal()
+    """Somebody else has signed in: what is shown already, they see from now on."""
     upgraded = Signal(object)
     """Emitted with the `Message` that the record was brought up to date, and what was kept."""
 
@@ -204,12 +206,15 @@ class ClinicRecord(QObject):
     def take_author(self, author: Author) -> None:
         """Let all changes from now on be those of somebody who has signed in."""
         assert self._records is not None
+        before = self._records.who
         self._records = self._records.for_author(author)
         if self.state is RecordState.SIGNED_OUT:
             self._set_state(RecordState.OPEN)
             self._watch.start()
         else:
             self.state_changed.emit()
+        if author.name != before.name:
+            self.author_changed.emit()
         self.changed.emit()
 
     def ask(

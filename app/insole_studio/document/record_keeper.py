@@ -116,6 +116,7 @@ class RecordKeeper(QObject):
         case.saved_changed.connect(self._let_go)
         clinic.state_changed.connect(self._save_if_back)
         clinic.changed.connect(self._look_whose)
+        clinic.author_changed.connect(self._note_seen)
 
     @property
     def is_keeping(self) -> bool:
@@ -274,6 +275,16 @@ class RecordKeeper(QObject):
         unsaved = (KeepState.CHANGED, KeepState.WAITING, KeepState.REFUSED)
         if self._clinic.state is RecordState.OPEN and self.state in unsaved:
             self._save()
+
+    def _note_seen(self) -> None:
+        """Let the audit log tell that whoever has signed in sees the visit that was open."""
+        visit_id = self.visit_id
+        if visit_id and self._clinic.may_show_patients:
+            self._clinic.write(
+                lambda records: records.visits.note_seen(visit_id),
+                lambda _nothing: None,
+                _note_failure,
+            )
 
     def _look_whose(self) -> None:
         """Ask for the patient of the open visit, who may have been merged or erased meanwhile."""
@@ -475,7 +486,7 @@ def _note_failure(error: Exception) -> None:
     """Let the next change of the record, or the next saving, ask again; a fault is told."""
     if not isinstance(error, InsoleError):
         raise error
-    log.warning("whose visit is open cannot be asked: %s", error)
+    log.warning("the record cannot be asked about the open visit: %s", error)
 
 
 def _patient_conflict(mine: Patient, change: KeptChange) -> PatientConflict | None:

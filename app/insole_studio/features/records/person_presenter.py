@@ -119,6 +119,7 @@ class PersonPresenter:
         self._pictures = VisitPictures(clinic, page.show_picture)
         page.field_edited.connect(self.edit_field)
         clinic.changed.connect(self.refresh)
+        clinic.author_changed.connect(self._note_seen)
         clinic.state_changed.connect(self._show_state)
 
     @property
@@ -139,6 +140,14 @@ class PersonPresenter:
         person = self._person
         if person is not None and self._clinic.is_open and self._page.isVisible():
             self._clinic.ask(READ, lambda r: _read(r, person.id), self._take, self._tell)
+
+    def _note_seen(self) -> None:
+        """Let the audit log tell that whoever has signed in sees the page that was open."""
+        person = self._person
+        if person is not None and self._page.isVisible() and self._clinic.may_show_patients:
+            self._clinic.write(
+                lambda records: records.persons.open(person.id), lambda _person: None, self._tell
+            )
 
     def edit_field(self, key: str, text: str) -> None:
         """Set a field; what cannot be right is refused, and the old value stays."""

@@ -11,6 +11,7 @@ import pytest
 from administering import OTHER_PASSWORD, PASSWORD, shown, sign_in
 from PySide6.QtWidgets import QAbstractButton, QApplication
 from pytestqt.qtbot import QtBot
+from sqlalchemy import select
 from stations import add_member, proven
 
 from insole_core.cases.case_file import write_case
@@ -21,6 +22,7 @@ from insole_core.geometry.side import Side
 from insole_core.records.author import Role
 from insole_core.records.person import Person
 from insole_core.records.records import Records
+from insole_core.records.schema import audit
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
@@ -102,6 +104,36 @@ def test_what_was_just_changed_is_saved_while_locked_and_the_next_user_goes_on_w
     assert newest(eva, opened) == ("eva", 5.0)
     thicken(opened, 5.5)
     qtbot.waitUntil(lambda: newest(eva, opened) == ("tom", 5.5))
+
+
+def test_the_log_tells_that_the_next_user_sees_what_was_open(
+    opened: Application, tom: Records, eva: Records, qtbot: QtBot, rest: Callable[[], None]
+) -> None:
+    """The visit on its panels, then the page of the patient; who returns sees nothing new."""
+
+    def seen() -> list[tuple[str, str]]:
+        with eva.context.database.reading() as connection:
+            query = select(audit.c.author, audit.c.subject_kind).where(audit.c.action == "seen")
+            rows = connection.execute(query.order_by(audit.c.seq)).all()
+        return [(row.author, row.subject_kind) for row in rows]
+
+    def sign_in_after_lock(name: str, password: str) -> None:
+        opened.window.actions_by_key["lock"].trigger()
+        take_over(opened, qtbot, name, password)
+        rest()
+
+    assert seen() == [("eva", "visit")]
+    sign_in_after_lock("eva", OTHER_PASSWORD)
+    assert seen() == [("eva", "visit")]
+    sign_in_after_lock("tom", TOMS_PASSWORD)
+    assert seen() == [("eva", "visit"), ("tom", "visit")]
+    assert opened.case.kept is not None
+    opened.features.records.show_person(opened.case.kept.person.id)
+    rest()
+    sign_in_after_lock("eva", OTHER_PASSWORD)
+    assert sorted(seen()[3:]) == [("eva", "person"), ("eva", "visit")]
+    sign_in_after_lock("admin", PASSWORD)
+    assert len(seen()) == 5
 
 
 def test_an_administrator_who_takes_over_finds_no_case(
