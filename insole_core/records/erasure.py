@@ -138,7 +138,16 @@ class Eraser:
     def traces(self) -> Traces:
         """Return by what leftovers of the person are known outside the record."""
         rows = self.sealed_rows()
-        return Traces.of(self._names, rows["visit"], rows["capture"])
+        scans = {
+            sha256
+            for row in self._rows(captures)
+            for sha256 in (row.source_sha256, row.content_sha256)
+            if sha256
+        }
+        sources = [_source_of(row.document) for row in self._rows(prescription_versions)]
+        scans |= {str(source["sha256"]) for source in sources if source.get("sha256")}
+        traces = Traces.of(self._names, rows["visit"], rows["capture"], scans)
+        return traces.with_files(str(s["path"]) for s in sources if s.get("kind") != s.get("path"))
 
     def sealed_rows(self) -> dict[str, list[str]]:
         """Return the ids of all rows of which the audit log keeps digests."""
@@ -284,6 +293,16 @@ def _nameless_document(document: str, words: Set[str]) -> str:
         if key in _within(foot, part):
             foot[part][key] = _NOTHING
     return json.dumps(_without(foot, words), ensure_ascii=False)
+
+
+def _source_of(document: str) -> dict[str, Any]:
+    """Return what a version says of its scan; of any version, also a damaged one."""
+    try:
+        content = json.loads(document)
+    except ValueError:
+        content = {}
+    source = _within(content, "source") if isinstance(content, dict) else {}
+    return source if isinstance(source.get("path"), str) else {}
 
 
 def _rename_source(source: dict[str, Any]) -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import hashlib
 import secrets
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 from insole_core.cases.case_record import Patient
@@ -27,6 +28,10 @@ class Traces:
         Digests of those of their words that identify.
     visit_ids, capture_ids
         Of all that the record held of them.
+    scans
+        SHA-256 of the scans that their feet were made from.
+    files
+        Digests of where such scans lie on this computer, and of the folders around them.
     """
 
     salt: str
@@ -34,10 +39,16 @@ class Traces:
     words: Set[str]
     visit_ids: Set[str]
     capture_ids: Set[str]
+    scans: Set[str] = frozenset()
+    files: Set[str] = frozenset()
 
     @classmethod
     def of(
-        cls, names: Sequence[str], visit_ids: Iterable[str] = (), capture_ids: Iterable[str] = ()
+        cls,
+        names: Sequence[str],
+        visit_ids: Iterable[str] = (),
+        capture_ids: Iterable[str] = (),
+        scans: Iterable[str] = (),
     ) -> Traces:
         """Return the traces of somebody with these names."""
         salt = secrets.token_hex(16)
@@ -49,6 +60,7 @@ class Traces:
             frozenset(_digest(salt, word) for word in words),
             frozenset(visit_ids),
             frozenset(capture_ids),
+            frozenset(scans),
         )
 
     @classmethod
@@ -63,7 +75,11 @@ class Traces:
         names, words, visits, captures = (
             frozenset(stored.texts(key)) for key in ("names", "words", "visits", "captures")
         )
-        return cls(stored.text("salt"), names, words, visits, captures)
+        scans, files = (
+            frozenset(stored.texts(key)) if stored.has(key) else frozenset()  # of before 2026-11-28
+            for key in ("scans", "files")
+        )
+        return cls(stored.text("salt"), names, words, visits, captures, scans, files)
 
     def to_json(self) -> dict[str, Any]:
         """Return them as values for `json.dumps`."""
@@ -73,7 +89,19 @@ class Traces:
             "words": sorted(self.words),
             "visits": sorted(self.visit_ids),
             "captures": sorted(self.capture_ids),
+            "scans": sorted(self.scans),
+            "files": sorted(self.files),
         }
+
+    def with_files(self, paths: Iterable[str]) -> Traces:
+        """Return them with the places of the person's scans, and the folders that these lie in."""
+        places = {place for path in paths for place in (path, str(Path(path).parent))}
+        digests = frozenset(_digest(self.salt, place) for place in places)
+        return replace(self, files=self.files | digests)
+
+    def are_of_place(self, path: str) -> bool:
+        """Return whether a file or folder holds the name, or a scan of the person."""
+        return self.are_in(path) or _digest(self.salt, path) in self.files
 
     def are_in(self, text: str) -> bool:
         """Return whether a text, such as the name of a file, holds the name."""

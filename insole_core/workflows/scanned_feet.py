@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.cases.scan_source import NOTHING_SAID, ImportChoice, ScanSource
+from insole_core.errors import InsoleError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import FoundFoot
 from insole_core.foot.foot_placement import find_foot
@@ -217,6 +218,14 @@ def change_of_source(source: ScanSource, progress: Progress = SILENT) -> str:
         "it was, open the scan again if the new one is wanted.",
         path=path,
     )
+
+
+def digest_of_scan(path: Path) -> str:
+    """Return the SHA-256 by which a case names a scan; empty for what cannot be read."""
+    try:
+        return sha256_of(_signed_file(path), MAX_ARCHIVE_BYTES)
+    except (OSError, InsoleError):  # such as too large
+        return ""
 
 
 def _source(kind: str, path: Path, recorded_at: str = "") -> ScanSource:

@@ -23,7 +23,7 @@ from insole_core.json_object import JsonObject
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.journal import Recovered, find_recovered, remove_files
 from insole_studio.document.waiting_work import forget_visits
-from insole_studio.settings import Settings, folder_names
+from insole_studio.settings import Settings, folder_names, load_settings
 from insole_studio.user_paths import UserPaths, is_older
 
 if TYPE_CHECKING:
@@ -86,11 +86,19 @@ class ErasedLeftovers:
         def note(traces: Traces) -> None:
             folder = self._paths.erasures_folder
             make_output_folder(folder)
+            noted = traces.with_files(self._scans_of(traces))
             with replacing_file(folder / f"{uuid.uuid4().hex}.json") as beside:
-                content = {"person": person_id, **traces.to_json()}
+                content = {"person": person_id, **noted.to_json()}
                 beside.write_text(json.dumps(content), encoding="utf-8", newline="\n")
 
         return erase_person(records.context, person_id, reason, today, note=note)
+
+    def _scans_of(self, traces: Traces) -> list[str]:
+        """Return those recent files that are scans of the person, by what they hold."""
+        from insole_core.workflows.scanned_feet import digest_of_scan
+
+        stored = self._settings or load_settings(self._paths.settings_file, leave=True)
+        return [name for name in stored.recent if digest_of_scan(Path(name)) in traces.scans]
 
     def erased(self, records: Records) -> dict[str, bool]:
         """Return of those who are noted, and whom the record knows, whether they are erased.
@@ -182,15 +190,15 @@ def _forget_in(path: Path, traces: Traces) -> None:
 
 
 def _nameless(settings: Mapping[str, Any], traces: Traces) -> dict[str, Any]:
-    """Return those settings anew that hold the name: recent files, and folders of dialogs."""
+    """Return those settings anew that lead to the person: recent files, and folders of dialogs."""
     nameless: dict[str, Any] = {
         name: ""
         for name in folder_names()
-        if isinstance(settings.get(name), str) and traces.are_in(settings[name])
+        if isinstance(settings.get(name), str) and traces.are_of_place(settings[name])
     }
     recent = settings.get("recent")
     if isinstance(recent, list):
-        kept = [name for name in recent if not traces.are_in(str(name))]
+        kept = [name for name in recent if not traces.are_of_place(str(name))]
         nameless |= {"recent": kept} if kept != recent else {}
     return nameless
 

@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from datetime import date
+from hashlib import sha256
+from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit
 from pytestqt.qtbot import QtBot
 
+from insole_core.cases.scan_source import ScanSource
+from insole_core.geometry.side import Side
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
@@ -120,6 +124,30 @@ def test_a_change_that_the_record_refuses_as_the_patient_is_erased_closes_the_vi
     assert opened.case.is_empty
     assert not opened.services.messages.dialogs
     assert not list(paths.autosave_folder.glob("*.insole"))
+
+
+def test_scans_of_somebody_erased_are_no_recent_files_and_their_folder_is_not_proposed(
+    opened: Application, records: Records, visit: Visit, tmp_path: Path, qtbot: QtBot
+) -> None:
+    """Whatever they are called; a scan of somebody else stays."""
+    hers, other, gone = (tmp_path / who / "left.stl" for who in ("hers", "other", "gone"))
+    for path in (hers, other):
+        path.parent.mkdir()
+        path.write_bytes(path.parent.name.encode())
+    session = tmp_path / "sessions" / "2026-11-28"
+    (before,) = records.visits.open_case(visit.id).record.feet
+    for source in (
+        ScanSource("mesh", str(hers), sha256(b"hers").hexdigest()),
+        ScanSource("session", str(session), "1" * 64),  # is not there any more
+    ):
+        bases = records.visits.open_case(visit.id).bases
+        records.prescriptions.save(visit.id, replace(before, source=source), bases[Side.LEFT])
+    settings = opened.settings
+    settings.recent = [str(path) for path in (hers, other, gone, session)]
+    settings.scans_folder, settings.exports_folder = str(hers.parent), str(other.parent)
+    erase(opened, qtbot)
+    qtbot.waitUntil(lambda: settings.recent == [str(other), str(gone)])
+    assert (settings.scans_folder, settings.exports_folder) == ("", str(other.parent))
 
 
 def test_undo_on_the_page_of_somebody_erased_brings_no_name_back(
