@@ -48,6 +48,7 @@ def erase(app: Application, qtbot: QtBot) -> EraseDialog:
     qtbot.waitUntil(lambda: "visits 1" in dialog.means.text())
     dialog.reason.setCurrentIndex(1)
     dialog.reason.activated.emit(1)
+    dialog.erase.click()  # asks
     dialog.erase.click()
     qtbot.waitUntil(lambda: "has been erased" in dialog.message.text())
     return dialog
