@@ -215,6 +215,9 @@ def scroll_by_finger(area: QAbstractScrollArea) -> None:
 class VerticalScroll(QScrollArea):
     """Scroll area as wide as its content, which cannot be scrolled sideways."""
 
+    needs_changed = Signal()
+    """The content needs another width by now."""
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWidgetResizable(True)
@@ -235,6 +238,7 @@ class VerticalScroll(QScrollArea):
         if event.type() == QEvent.Type.LayoutRequest and self.needed_px != self._told_px:
             self._told_px = self.needed_px
             self.updateGeometry()
+            self.needs_changed.emit()
         return super().eventFilter(watched, event)
 
     def minimumSizeHint(self) -> QSize:

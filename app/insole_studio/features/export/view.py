@@ -102,6 +102,8 @@ class ExportView(QWidget):
         self._bounds: FloatArray | None = None
         self._side: Side | None = None
         self._lay_out()
+        for area in (self._form_area, self._checks_area):
+            area.needs_changed.connect(self._fit_sides)
 
     def show_patient(self, text: str) -> None:
         """Show whose insoles these are."""
@@ -136,7 +138,6 @@ class ExportView(QWidget):
     def show_checks(self, rows: Sequence[CheckRow]) -> None:
         """Show the checks."""
         self.check_list.show_rows(rows)
-        self._fit_sides()
 
     def show_parts(self, names: dict[str, str], chosen: str) -> None:
         """Show a choice of parts, unless there is only one.

@@ -39,6 +39,7 @@ from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.features.export.rows import CheckState, OrderedFoot
 from insole_studio.features.export.stage import ExportStage
 from insole_studio.texts import load_language
+from insole_studio.widgets.layouts import VerticalScroll
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
@@ -478,6 +479,33 @@ def test_rules_that_cannot_be_read_are_named_and_the_products_hold(
 ) -> None:
     assert "export.json is not valid JSON" in stage.view.error.text()
     assert sign_of(stage, "watertight") is CheckState.PASSED
+
+
+def test_what_the_checks_say_wraps_and_nothing_is_cut(
+    stage: ExportStage, settle: Callable[[], None], qtbot: QtBot
+) -> None:
+    """On a small laptop, with a word that is told long after the stage came up."""
+    stage.resize(1366, 700)
+    stage.show()
+    order(stage, both=True)
+    settle()
+    area = stage.view.check_list.parentWidget().parentWidget().parentWidget()
+    assert isinstance(area, VerticalScroll)
+    row = stage.view.check_list.rows["shoe_height"]
+    assert len(row.sentence.text()) > 20
+    row.sentence.setText(" ".join(["16 mm wide medially instead of 9 mm"] * 5))
+    row.policy.addItem("stands in the way of an export until somebody says why")
+
+    def is_whole() -> bool:
+        sentence = row.sentence
+        is_high = sentence.height() >= sentence.heightForWidth(sentence.width())
+        return is_high and area.widget().width() <= area.viewport().width()
+
+    qtbot.waitUntil(is_whole)
+    assert row.sentence.width() < row.fontMetrics().horizontalAdvance(row.sentence.text())
+    assert row.sentence.heightForWidth(row.sentence.width()) > 2 * row.fontMetrics().height()
+    assert row.policy.width() >= row.policy.minimumSizeHint().width()
+    assert area.width() < 700
 
 
 def test_look_at_the_worst_place(stage: ExportStage, settle: Callable[[], None]) -> None:
