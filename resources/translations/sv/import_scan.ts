@@ -80,6 +80,10 @@
             <translation>Fotens längd</translation>
         </message>
         <message>
+            <source>Mark the feet that are to be opened.</source>
+            <translation>Markera de fötter som ska öppnas.</translation>
+        </message>
+        <message>
             <source>Open</source>
             <translation>Öppna</translation>
         </message>
@@ -106,6 +110,10 @@
         <message>
             <source>The shoe size is known</source>
             <translation>Skostorleken är känd</translation>
+        </message>
+        <message>
+            <source>Two marked feet are of the same side; choose the other side for one, or take its mark away.</source>
+            <translation>Två markerade fötter är av samma sida; välj den andra sidan för en av dem, eller ta bort markeringen för den.</translation>
         </message>
         <message>
             <source>Two points of known distance</source>

@@ -180,6 +180,7 @@ class ImportDialog(QDialog):
         self.form.edited.connect(lambda _form: self.reading_changed.emit())
         self.finding, self.hint = MessageLabel("heading"), MessageLabel()
         self.doubts = MessageLabel("warning")
+        self.why_not = MessageLabel()
         self.notes = MessageLabel("quiet")
         self.progress = ProgressBar()
         self.buttons = QDialogButtonBox()
@@ -286,10 +287,11 @@ class ImportDialog(QDialog):
         if self.model.scene.is_open:
             self.model.show_key_points(points)
 
-    def show_opening(self, text: str, *, is_enabled: bool) -> None:
-        """Name the button that opens, and say whether it can be pressed."""
+    def show_opening(self, text: str, *, is_enabled: bool, why_not: str = "") -> None:
+        """Name the button that opens; say whether it can be pressed, and what hinders it."""
         self.open_button.setText(text)
         self.open_button.setEnabled(is_enabled)
+        self.why_not.say(why_not)
 
     def reject(self) -> None:
         """Give up clicking first, as Escape does everywhere; then the scan."""
@@ -334,6 +336,7 @@ class ImportDialog(QDialog):
         column.addLayout(self._units)
         column.addWidget(self.feet)
         column.addLayout(sides)
+        column.addWidget(self.why_not)
         column.addWidget(self.candidates)
         for part in (self.clicks, self.hint, self.take_back):
             column.addWidget(part)

@@ -301,12 +301,13 @@ class ImportPresenter(QObject):
             if self._dialog.is_marked(number)
         ]
         sides = [None if one is None else one.side for one in marked]
-        is_clear = bool(sides) and None not in sides and len(set(sides)) == len(sides)
+        why_not = _hindrance(sides) if len(self._chosen) > 1 else ""
+        is_clear = bool(sides) and None not in sides and not why_not
         is_busy = self._jobs.is_running(FIND) or self._jobs.is_running(TAKE)
         text = tr("Open anyway") if self._force and marked else tr("Open")
         is_unit_known = not any(foot.unit_readings for foot in self._found.feet)
         is_enabled = is_clear and not is_busy and not self._wants_distance and is_unit_known
-        self._dialog.show_opening(text, is_enabled=is_enabled)
+        self._dialog.show_opening(text, is_enabled=is_enabled, why_not=why_not)
 
     def _show_clicks(self, *, is_on: bool | None = None) -> None:
         wants_distance = self._wants_distance
@@ -377,3 +378,16 @@ def _lying(mesh: TriangleMesh) -> FloatArray:
     if np.linalg.det(rotation) < 0:
         rotation[2] *= -1
     return rigid(rotation, -rotation @ centre)
+
+
+def _hindrance(sides: Sequence[Side | None]) -> str:
+    """Return why several feet cannot be opened as they are marked; empty where they can."""
+    if not sides:
+        return tr("Mark the feet that are to be opened.")
+    known = [side for side in sides if side is not None]
+    if len(set(known)) < len(known):
+        return tr(
+            "Two marked feet are of the same side; choose the other side for one, or take its "
+            "mark away."
+        )
+    return ""

@@ -328,7 +328,15 @@ def test_both_feet_of_a_box_are_opened_at_once_and_of_the_reopened_case_read_as_
     assert dialog.feet.count() == 2
     QTest.mouseClick(dialog.sides[Side.RIGHT], LEFT)
     assert not dialog.open_button.isEnabled()  # both would be of one side
+    assert "the other side for one" in dialog.why_not.text()
+    for number in range(2):
+        dialog.feet.item(number).setCheckState(Qt.CheckState.Unchecked)
+    assert not dialog.open_button.isEnabled()
+    assert "Mark the feet" in dialog.why_not.text()
+    for number in range(2):
+        dialog.feet.item(number).setCheckState(Qt.CheckState.Checked)
     QTest.mouseClick(dialog.sides[Side.LEFT], LEFT)
+    assert not dialog.why_not.isVisible()
     QTest.keyClick(dialog.feet, Qt.Key.Key_Down)
     assert "right foot" in dialog.finding.text()
     QTest.keyClick(dialog, Qt.Key.Key_Return)
