@@ -229,8 +229,8 @@ class LoadedVertices:
         Node of the grid next to each of these vertices.
     shares : (p, ny * nx) float64
         Of the nodes in what each of these vertices shows.
-    colors : (4 * p,) int64
-        For each `Shown` in turn, which of `_load_colors` these vertices have.
+    colors : (4, p) int64
+        For each `Shown`, which of `_load_colors` these vertices have.
     """
 
     sole: Sole
@@ -253,7 +253,7 @@ class LoadedVertices:
         colors = np.tile(_FIRST[:, None], len(can_press))
         colors[Shown.NEWLY] += (y // _STRIPE_MM % 2).astype(np.int64)
         colors[Shown.UNTOLD] += ((x + y) // (_SLANTED * _STRIPE_MM) % 2).astype(np.int64)
-        return cls(sole, xy, can_press, nearest, shares, colors.ravel())
+        return cls(sole, xy, can_press, nearest, shares, colors)
 
     def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
         """Return whether vertices (n, 3) of the same surface still lie there."""
@@ -267,7 +267,6 @@ class LoadedVertices:
         untold
             Names of the regions of which nothing can be told.
         """
-        count = len(self.can_press)
         shown = change.shown(untold).take(self.nearest)
         percent = change.percent.ravel()
         at = self.shares @ percent
@@ -277,7 +276,7 @@ class LoadedVertices:
         at[others] = 0.0
         steps = (np.clip(at, -MOST_SHOWN, MOST_SHOWN) + MOST_SHOWN) * _STEPS_A_PERCENT
         colors = np.rint(steps).astype(np.int64)
-        colors[others] = self.colors.take(shown[others] * count + others)
+        colors[others] = self.colors[shown[others], others]
         at[others] = np.nan
         of_all = np.full(len(self.xy), _FIRST[Shown.IDLE])
         of_all[self.can_press] = colors
