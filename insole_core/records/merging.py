@@ -14,7 +14,7 @@ from insole_core.records.audit import AuditLog
 from insole_core.records.author import utc_now
 from insole_core.records.context import RecordsContext
 from insole_core.records.marks import Merged, mark_of
-from insole_core.records.person import Person, PersonSummary, new_id
+from insole_core.records.person import SUMMARISED, Person, PersonSummary, new_id
 from insole_core.records.rights import Right
 from insole_core.records.row_seals import ids_of_persons
 from insole_core.records.rows import (
@@ -38,9 +38,6 @@ _MERGE_COLUMNS: Final = (
     merges.c.at,
     merges.c.author,
 )
-
-_TOLD: Final = ("id", "name", "birth_date", "personal_number", "pseudonym")
-"""Columns of a person by which `PersonSummary` tells who they are."""
 
 
 @dataclass(frozen=True)
@@ -110,8 +107,9 @@ def preview_merge(context: RecordsContext, keep_id: str, merge_id: str) -> Merge
 def latest_merges(context: RecordsContext, limit: int = 100) -> list[NamedMerge]:
     """Return the merges that are not undone, the latest first."""
     kept, merged = persons.alias(), persons.alias()
+    summarised = (person.c[name] for person in (kept, merged) for name in SUMMARISED)
     query = (
-        select(*_MERGE_COLUMNS, *(person.c[name] for person in (kept, merged) for name in _TOLD))
+        select(*_MERGE_COLUMNS, *summarised)
         .join(kept, kept.c.id == merges.c.kept_id)
         .join(merged, merged.c.id == merges.c.merged_id)
         .where(merges.c.undone_at.is_(None))
@@ -119,7 +117,7 @@ def latest_merges(context: RecordsContext, limit: int = 100) -> list[NamedMerge]
         .limit(limit)
     )
     first = len(_MERGE_COLUMNS)
-    second = first + len(_TOLD)
+    second = first + len(SUMMARISED)
     with context.reading() as connection:
         return [
             NamedMerge(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import secrets
 import uuid
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from datetime import date
 from typing import Annotated, Final
 
@@ -158,3 +158,7 @@ class PersonSummary:
     personal_number: str
     pseudonym: str
     last_visit: date | None = None
+
+
+SUMMARISED: Final = tuple(one.name for one in fields(PersonSummary) if one.name != "last_visit")
+"""Columns of a person that a `PersonSummary` begins with."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from datetime import date
 from typing import Any, Final
 
@@ -35,7 +35,7 @@ from insole_core.records.merging import (
     preview_merge,
     undo_merge,
 )
-from insole_core.records.person import Person, PersonSummary, new_pseudonym
+from insole_core.records.person import SUMMARISED, Person, PersonSummary, new_pseudonym
 from insole_core.records.person_matching import search_words
 from insole_core.records.record_field import changed_fields, fields_of
 from insole_core.records.rights import Right
@@ -55,7 +55,7 @@ _FEW: Final = 500
 """If more have each of the words, many names that begin with the first are likely to fit."""
 _MANY: Final = 2000
 """Less are looked at one by one in some ten milliseconds; of more, many are likely to fit."""
-_SUMMARY: Final = tuple(persons.c[f.name] for f in fields(PersonSummary) if f.name in persons.c)
+_SUMMARY: Final = tuple(persons.c[name] for name in SUMMARISED)
 _CAN_BE_FOUND: Final = (persons.c.merged_into.is_(None), persons.c.is_erased.is_(False))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from datetime import date
 from typing import Final
 
 from insole_core.records.person import Person, PersonSummary
@@ -18,6 +19,11 @@ def person_headings() -> tuple[str, ...]:
     """Return the headings of the columns."""
     labels = (translate_core_message(field.label) for field in listed_fields(Person).values())
     return (*labels, tr("Last visit"))
+
+
+def name_and_birth(name: str, birth_date: date | None) -> str:
+    """Return by what namesakes are told apart, where one line names a person."""
+    return name if birth_date is None else f"{name}, {birth_date.isoformat()}"
 
 
 def person_rows(persons: Iterable[PersonSummary]) -> list[TableRow]:

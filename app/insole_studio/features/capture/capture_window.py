@@ -15,6 +15,7 @@ from insole_studio.acquisition.capture_plan import parse_assignment
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.services.app_services import AppServices
+from insole_studio.services.person_list import name_and_birth
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import tr
 
@@ -105,8 +106,7 @@ class CaptureWindow(StageWindow["CaptureStage"]):
             visits.append((kept.visit.id, tr("{name} (open here)").format(name=kept.person.name)))
         others = [visit for visit in waiting if visit.id != open_here]
         for visit in others:
-            born = "" if visit.birth_date is None else f", {visit.birth_date.isoformat()}"
-            self._names[visit.id] = f"{visit.person_name}{born}"
+            self._names[visit.id] = name_and_birth(visit.person_name, visit.birth_date)
             visits.append((visit.id, self._names[visit.id]))
         chosen = self.stage.view.visit_id
         if chosen not in dict(visits):  # captured once: the other foot is of the same patient

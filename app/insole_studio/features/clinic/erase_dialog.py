@@ -12,6 +12,7 @@ from insole_core.records.retention import LEAST_YEARS, YEARS_VALUE, ErasureReaso
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.record_maintenance import ErasedLeftovers
 from insole_studio.features.clinic.record_dialog import RecordDialog
+from insole_studio.services.person_list import name_and_birth
 from insole_studio.texts import fill, tr
 from insole_studio.widgets.form_parts import ComboBox, mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel
@@ -204,8 +205,7 @@ class EraseDialog(RecordDialog):
         shown = self._shown_person
         if shown is None or shown.id != found.person_id:
             return []
-        born = shown.birth_date
-        return [shown.name if born is None else f"{shown.name}, {born.isoformat()}"]
+        return [name_and_birth(shown.name, shown.birth_date)]
 
     def _forget(self) -> None:
         self._found = None

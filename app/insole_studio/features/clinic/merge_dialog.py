@@ -15,7 +15,7 @@ from insole_core.records.person import Person, PersonSummary
 from insole_core.records.record_field import typed_fields
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.record_dialog import RecordDialog
-from insole_studio.services.person_list import person_headings, person_rows
+from insole_studio.services.person_list import name_and_birth, person_headings, person_rows
 from insole_studio.texts import fill, moment_text, tr, translate_core_message
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
@@ -305,8 +305,7 @@ def _read(records: Records) -> _Shown:
 
 
 def _named(person: PersonSummary) -> str:
-    born = "" if person.birth_date is None else f", {person.birth_date.isoformat()}"
-    return f"{person.name}{born}"
+    return name_and_birth(person.name, person.birth_date)
 
 
 def _proposal(key: str, duplicate: Duplicate) -> TableRow:
