@@ -308,19 +308,14 @@ class RecordKeeper(QObject):
 
     def _take_person(self, person: Person) -> None:
         """Let the open visit be that of whoever it belongs to by now, such as after a merge."""
+        from insole_core.records.visits import patient_of  # once there is a record
+
         kept = self._case.kept
         assert kept is not None
         if person == kept.person:
             return
         kept = replace(kept, person=person, visit=replace(kept.visit, person_id=person.id))
-        born = "" if person.birth_date is None else person.birth_date.isoformat()
-        stored = replace(
-            self._case.saved_record.patient,
-            name=person.name,
-            born=born,
-            pseudonym=person.pseudonym,
-        )
-        self._case.take_person(stored, kept)
+        self._case.take_person(patient_of(person, kept.visit), kept)
 
     def _close_erased(self) -> None:
         """Close a case whose patient was erased; what was not saved yet goes with the patient."""
