@@ -5,8 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QVBoxLayout
 
-_MARGINS = (6, 4, 6, 4)
-
 
 class WrappedButton(QPushButton):
     """A flat button of one or more lines; Qt's own has one, and is as wide as that."""
@@ -18,11 +16,9 @@ class WrappedButton(QPushButton):
         self._lines.setTextFormat(Qt.TextFormat.PlainText)
         self._lines.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._room = QVBoxLayout(self)
-        self._room.setContentsMargins(*_MARGINS)
+        self._room.setContentsMargins(6, 4, 6, 4)
         self._room.addWidget(self._lines)
-        policy = QSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
-        policy.setHeightForWidth(True)
-        self.setSizePolicy(policy)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
 
     def text(self) -> str:
         """Return what it says."""
@@ -33,14 +29,6 @@ class WrappedButton(QPushButton):
         self._lines.setText(text)
         self.setAccessibleName(text)
         self.updateGeometry()
-
-    def hasHeightForWidth(self) -> bool:
-        """Return that it is the higher the narrower it is."""
-        return True
-
-    def heightForWidth(self, width: int) -> int:
-        """Return how high all lines are within a width."""
-        return self._room.totalHeightForWidth(width)
 
     def sizeHint(self) -> QSize:
         """Return the size in one line."""

@@ -165,9 +165,10 @@ def _restore_file(
 ) -> RestoreReport:
     path = place.database_file.resolve()
     make_output_folder(path.parent)
-    if path.exists() and path.stat().st_size > 0 and not replace_existing:
+    is_record = path.exists() and path.stat().st_size > 0
+    if is_record and not replace_existing:
         _check_empty(place, manifest)
-    erased = _erased_in(place) if path.exists() and path.stat().st_size > 0 else frozenset()
+    erased = _erased_in(place) if is_record else frozenset()
     with output_errors(path):
         beside = make_file(path.parent, path)
     try:
