@@ -36,7 +36,7 @@ from insole_core.records.merging import (
     undo_merge,
 )
 from insole_core.records.person import SUMMARISED, Person, PersonSummary, new_pseudonym
-from insole_core.records.person_matching import search_words
+from insole_core.records.person_matching import MOST_KEY, name_key_of, search_words
 from insole_core.records.record_field import changed_fields, fields_of
 from insole_core.records.rights import Right
 from insole_core.records.rows import (
@@ -137,6 +137,18 @@ class Persons:
     def with_number(self, personal_number: str) -> list[PersonSummary]:
         """Return those who have a personal number, as it is stored."""
         return self._summaries(_listed().where(persons.c.personal_number == personal_number))
+
+    def namesakes(self, name: str, birth_date: date | None) -> list[PersonSummary]:
+        """Return those of a name and birth date, the latest first; case and accents do not matter.
+
+        Parameters
+        ----------
+        birth_date
+            None for those whose birth date is not known, either.
+        """
+        same_name = persons.c.name_key == name_key_of(name)[:MOST_KEY]
+        query = _listed().where(same_name, persons.c.birth_date == birth_date)
+        return self._summaries(query.order_by(persons.c.last_seq.desc()))
 
     def get(self, person_id: str) -> Person:
         """Return a person, or the one that this person was merged into.

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from insole_core.geometry.side import Side
 from insole_studio.services.files import Kept
-from insole_studio.services.questions import Answer, InUse, SameSide, Unsaved
+from insole_studio.services.questions import Answer, InUse, Namesake, SameSide, Unsaved
 from insole_studio.widgets.form_parts import Field
 
 
@@ -19,6 +19,7 @@ class CannedQuestions:
         self.unsaved = Answer.DISCARD
         self.replace = True
         self.same_side = SameSide.CANCEL
+        self.namesake = Namesake.ANOTHER
         self.typed: str | None = None
         self.given: dict[str, str] | None = None
         self.path: Path | None = None
@@ -45,6 +46,10 @@ class CannedQuestions:
     def about_case_in_use(self, sentence: str) -> InUse:
         self.asked.append(sentence)
         return InUse.CANCEL
+
+    def about_namesake(self, person: str, _same: str, _another: str) -> Namesake:
+        self.asked.append(person)
+        return self.namesake
 
     def about_failed_save(self, sentence: str) -> Unsaved:
         self.asked.append(sentence)

@@ -26,6 +26,12 @@ def name_and_birth(name: str, birth_date: date | None) -> str:
     return name if birth_date is None else f"{name}, {birth_date.isoformat()}"
 
 
+def identified(person: PersonSummary) -> str:
+    """Return who somebody is in one line: also of namesakes who were born on one day."""
+    number = person.personal_number or person.pseudonym
+    return f"{name_and_birth(person.name, person.birth_date)} ({number})"
+
+
 def person_rows(persons: Iterable[PersonSummary]) -> list[TableRow]:
     """Return a row for each person."""
     return [TableRow(person.id, tuple(map(_text, _values(person)))) for person in persons]

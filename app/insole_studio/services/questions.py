@@ -50,6 +50,14 @@ class InUse(Enum):
     CANCEL = auto()
 
 
+class Namesake(Enum):
+    """What to do with a new patient whose name and birth date somebody in the record has."""
+
+    SAME = auto()
+    ANOTHER = auto()
+    CANCEL = auto()
+
+
 class Unsaved(Enum):
     """What to do when a case could not be saved."""
 
@@ -155,6 +163,28 @@ class Questions:
             details=tr(
                 "Look at it without changing its file, or go on with a copy under another name."
             ),
+        )
+
+    def about_namesake(self, person: str, same: str, another: str) -> Namesake:
+        """Ask whether a new patient is somebody whom the record has already.
+
+        Parameters
+        ----------
+        person
+            Who is there already, by all that tells namesakes apart.
+        same, another
+            What is done with the person who is there, and with another one: verbs for the buttons.
+        """
+        choices = [
+            _Choice(same, Namesake.SAME, _ACCEPT),
+            _Choice(another, Namesake.ANOTHER, _ACT),
+            _Choice(tr("Add nobody"), Namesake.CANCEL, _REJECT),
+        ]
+        return self._choose(
+            tr("The record has this name and birth date already: {person}.").format(person=person),
+            choices,
+            default=Namesake.SAME,
+            details=tr("Somebody who is there twice has only a part of the visits in each place."),
         )
 
     def about_failed_save(self, sentence: str) -> Unsaved:

@@ -196,9 +196,7 @@ def add_case(records: Records, case: CaseRecord, person_id: str = "") -> Visit:
     """
     patient, today = case.patient, date.today()
     if not person_id:
-        born = read_day("born", patient.born, today)
-        birth_date = date.fromisoformat(born) if born else None
-        person_id = records.persons.add(Person(patient.name, birth_date)).id
+        person_id = records.persons.add(new_person(patient)).id
     day = read_day("visit", patient.visit, today)
     visited_on = date.fromisoformat(day) if day else today
     visit = Visit(
@@ -212,6 +210,18 @@ def add_case(records: Records, case: CaseRecord, person_id: str = "") -> Visit:
     for foot in case.feet:
         records.prescriptions.save(visit.id, foot, None)
     return visit
+
+
+def new_person(patient: Patient) -> Person:
+    """Return a person with the data of a case, who is not in the record yet.
+
+    Raises
+    ------
+    InputError
+        When the birth date is none.
+    """
+    born = read_day("born", patient.born, date.today())
+    return Person(patient.name, date.fromisoformat(born) if born else None)
 
 
 def visit_measures(feet: Iterable[FootRecord]) -> dict[str, float]:

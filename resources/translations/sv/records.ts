@@ -36,12 +36,20 @@
             <translation>Lägg till ett besök i dag som ordineras som det förra på en ny skanning</translation>
         </message>
         <message>
+            <source>Add another patient</source>
+            <translation>Lägg till en annan patient</translation>
+        </message>
+        <message>
             <source>Add as a new patient</source>
             <translation>Lägg till som ny patient</translation>
         </message>
         <message>
             <source>Add follow-up</source>
             <translation>Lägg till uppföljning</translation>
+        </message>
+        <message>
+            <source>Add nobody</source>
+            <translation>Lägg inte till någon</translation>
         </message>
         <message>
             <source>Add patient</source>
@@ -468,6 +476,10 @@
             <translation>Öppna besöket</translation>
         </message>
         <message>
+            <source>Open this patient</source>
+            <translation>Öppna denna patient</translation>
+        </message>
+        <message>
             <source>Order {number}</source>
             <translation>Beställning {number}</translation>
         </message>
@@ -660,6 +672,10 @@
             <translation>Någon annan har ändrat samma fält medan du arbetade med dem. Välj vilket värde som gäller; alla dina andra ändringar sparas.</translation>
         </message>
         <message>
+            <source>Somebody who is there twice has only a part of the visits in each place.</source>
+            <translation>Den som finns två gånger har bara en del av besöken på varje ställe.</translation>
+        </message>
+        <message>
             <source>State</source>
             <translation>Läge</translation>
         </message>
@@ -714,6 +730,10 @@
         <message>
             <source>The pieces of several orders on one block or sheet</source>
             <translation>Stycken av flera beställningar på ett block eller en skiva</translation>
+        </message>
+        <message>
+            <source>The record has this name and birth date already: {person}.</source>
+            <translation>Journalen har redan detta namn och födelsedatum: {person}.</translation>
         </message>
         <message>
             <source>The sample patient and everything that was tried on it will be removed. Help ▸ Sample patient brings a new one back.</source>

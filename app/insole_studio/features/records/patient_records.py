@@ -58,7 +58,8 @@ from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_photos import VisitPhotos
 from insole_studio.features.records.visit_presence import VisitPresence
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.person_list import person_rows
+from insole_studio.services.person_list import identified, person_rows
+from insole_studio.services.questions import Namesake
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
@@ -320,7 +321,9 @@ class PatientRecords(QObject):
         case = self._services.case.record
         dialog = ChoosePersonDialog(case.patient.name, self._services.window)
         dialog.finished.connect(dialog.deleteLater)
-        dialog.accepted.connect(lambda: self._add_case(dialog.person_id))
+        dialog.accepted.connect(
+            lambda: self._add_case(self._services.case.record, dialog.person_id)
+        )
 
         def show(found: list[PersonSummary]) -> None:
             if isValid(dialog):
@@ -338,19 +341,30 @@ class PatientRecords(QObject):
         dialog.open()
         search(case.patient.name)
 
-    def _add_case(self, person_id: str) -> None:
-        case = self._services.case.record
+    def _add_case(self, case: CaseRecord, person_id: str, *, is_another: bool = False) -> None:
+        """Make a visit of a case; of a namesake of a new patient the user decides."""
 
-        def add(records: Records) -> Visit:
-            from insole_core.workflows.records.keep_case import add_case
+        def add(records: Records) -> Visit | PersonSummary:
+            from insole_core.workflows.records.keep_case import add_case, new_person
 
+            if not person_id and not is_another:
+                person = new_person(case.patient)
+                known = records.persons.namesakes(person.name, person.birth_date)
+                if known:
+                    return known[0]
             return add_case(records, case, person_id)
 
-        self._clinic.write(
-            add,
-            lambda visit: self._keeper.open_visit(visit.id, self._tell),
-            self._tell,
-        )
+        def added(found: Visit | PersonSummary) -> None:
+            if isinstance(found, Visit):
+                self._keeper.open_visit(found.id, self._tell)
+                return
+            self._ask_namesake(
+                found,
+                (tr("Add to this patient"), lambda: self._add_case(case, found.id)),
+                (tr("Add as a new patient"), lambda: self._add_case(case, "", is_another=True)),
+            )
+
+        self._clinic.write(add, added, self._tell)
 
     def ask_follow_up(self) -> None:
         """Show what became of the insoles of the person on the page, and ask for more."""
@@ -634,20 +648,34 @@ class PatientRecords(QObject):
             names = [] if self._clinic.hides_patients else self._services.recent.names
             self.start.show_recent_files([(name, visible_line(Path(name).name)) for name in names])
 
-    def _add(self, person: Person | None) -> None:
-        """Add a person, unless there is one of the same number: then the user decides."""
+    def _add(self, person: Person | None, *, is_another: bool = False) -> None:
+        """Add a person, unless there is one of the same number; of a namesake the user decides.
+
+        Parameters
+        ----------
+        is_another
+            Whether it is known that they are not the namesake who is there.
+        """
         assert person is not None
+        number = person.personal_number
         settings = self._services.settings
         settings.number_kind = person.number_kind or settings.number_kind
 
         def add(records: Records) -> Person | PersonSummary:
-            if person.personal_number:
-                known = records.persons.with_number(person.personal_number)
-                if known:
-                    return known[0]
-            return records.persons.add(person)
+            known = records.persons.with_number(number) if number else []
+            if not known and not is_another:
+                known = records.persons.namesakes(person.name, person.birth_date)
+            return known[0] if known else records.persons.add(person)
 
         def added(found: Person | PersonSummary) -> None:
+            has_number = number != "" and found.personal_number == number
+            if isinstance(found, PersonSummary) and not has_number:
+                self._ask_namesake(
+                    found,
+                    (tr("Open this patient"), lambda: self.show_person(found.id)),
+                    (tr("Add another patient"), lambda: self._add(person, is_another=True)),
+                )
+                return
             self.show_person(found.id)
             if isinstance(found, PersonSummary):
                 self._services.messages.say(
@@ -655,6 +683,23 @@ class PatientRecords(QObject):
                 )
 
         self._clinic.write(add, added, self._tell)
+
+    def _ask_namesake(
+        self, known: PersonSummary, same: tuple[str, Then], another: tuple[str, Then]
+    ) -> None:
+        """Ask whether a new patient is somebody who is there, and do what is answered.
+
+        Parameters
+        ----------
+        same, another
+            Verb of the button, and what it does.
+        """
+        questions = self._services.messages.questions
+        answer = questions.about_namesake(identified(known), same[0], another[0])
+        if answer is Namesake.SAME:
+            same[1]()
+        elif answer is Namesake.ANOTHER:
+            another[1]()
 
 
 def _nothing(_answer: object) -> None:

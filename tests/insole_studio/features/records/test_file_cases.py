@@ -8,6 +8,7 @@ from datetime import date, timedelta
 from pathlib import Path
 
 import pytest
+from canned_questions import CannedQuestions
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
@@ -27,6 +28,7 @@ from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.records.patient_dialogs import ChoosePersonDialog
 from insole_studio.features.records.record_dialogs import OrderDialog
+from insole_studio.services.questions import Namesake
 from insole_studio.user_paths import UserPaths
 
 pytestmark = pytest.mark.one_window
@@ -61,6 +63,28 @@ def test_a_case_becomes_a_visit(
     assert kept.person.birth_date == date(1970, 2, 28)
     assert len(records.prescriptions.versions(kept.visit.id, Side.LEFT)) == 1
     assert not clinic.window.actions_by_key["add_to_record"].isEnabled()
+
+
+def test_a_case_of_a_namesake_may_become_a_visit_of_the_one_who_is_there(
+    clinic: Application,
+    records: Records,
+    questions: CannedQuestions,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+) -> None:
+    known = records.persons.add(Person("Berg, Anna", date(1970, 2, 28)))
+    questions.namesake = Namesake.SAME
+    open_case(clinic, make_foot)
+    clinic.controller.run_action("add_to_record", False)
+    (dialog,) = clinic.window.findChildren(ChoosePersonDialog)
+    QTest.mouseClick(dialog.new, LEFT)
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    assert questions.asked == [f"Berg, Anna, 1970-02-28 ({known.pseudonym})"]
+    kept = clinic.case.kept
+    assert kept is not None
+    assert kept.person.id == known.id
+    assert len(records.persons.recent()) == 1
+    assert len(records.visits.of_person(known.id)) == 1
 
 
 @pytest.mark.parametrize("trouble", ["damaged", "newer"])

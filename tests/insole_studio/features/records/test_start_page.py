@@ -6,6 +6,7 @@ from collections.abc import Callable
 from datetime import date, timedelta
 
 import pytest
+from canned_questions import CannedQuestions
 from pointing import click_heading
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
@@ -21,6 +22,7 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.features.records.patient_dialogs import NewPatientDialog
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND
+from insole_studio.services.questions import Namesake
 from insole_studio.widgets.tour import Tour
 
 pytestmark = pytest.mark.one_window
@@ -169,6 +171,51 @@ def test_a_number_that_is_known_opens_its_patient(
     page = clinic.features.records.person
     assert page is not None
     assert page._name.text() == "Anna Berg"
+
+
+@pytest.mark.parametrize("answer", [Namesake.SAME, Namesake.ANOTHER, Namesake.CANCEL])
+def test_of_a_namesake_born_on_the_same_day_one_question_is_asked(
+    clinic: Application,
+    records: Records,
+    questions: CannedQuestions,
+    rest: Callable[[], None],
+    answer: Namesake,
+) -> None:
+    anna = records.persons.add(Person("Anna Bérg", date(1970, 2, 28)))
+    records.persons.add(Person("Anna Berg", date(1971, 2, 28)))
+    questions.namesake = answer
+    clinic.controller.run_action("new_patient", False)
+    dialog = dialog_of(clinic)
+    fill(dialog, "BERG, anna", "1970-02-28", "X-77")
+    QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
+    rest()
+    assert questions.asked == [f"Anna Bérg, 1970-02-28 ({anna.pseudonym})"]
+    added = records.persons.with_number("X-77")
+    assert len(added) == (answer is Namesake.ANOTHER)
+    shown = {Namesake.SAME: "Anna Bérg", Namesake.ANOTHER: "BERG, anna"}.get(answer)
+    page = clinic.features.records.person
+    if shown is None:
+        assert clinic.window.page is page_of(clinic)
+    else:
+        assert page is not None
+        assert (clinic.window.page is page, page._name.text()) == (True, shown)
+
+
+def test_a_namesake_is_named_by_the_number_and_one_without_birth_date_is_asked_of_too(
+    clinic: Application,
+    records: Records,
+    questions: CannedQuestions,
+    rest: Callable[[], None],
+) -> None:
+    records.persons.add(Person("Anna Berg", personal_number="X-77"))
+    records.persons.add(Person("Bo Dal", date(1970, 2, 28)))
+    for name in ("Anna Berg", "Bo Dal"):
+        clinic.controller.run_action("new_patient", False)
+        fill(dialog_of(clinic), name)
+        QTest.mouseClick(dialog_of(clinic).add_button, Qt.MouseButton.LeftButton)
+        rest()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert questions.asked == ["Anna Berg (X-77)"]
 
 
 def test_a_new_case_brings_the_panels_and_f3_the_patients_again(clinic: Application) -> None:
