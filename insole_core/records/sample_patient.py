@@ -33,7 +33,8 @@ def has_patients(connection: Connection) -> bool:
 
 def count_patients(connection: Connection) -> int:
     """Return of how many real patients the record holds anything."""
-    query = select(func.count()).select_from(persons).where(_IS_REAL)
+    is_one = (_IS_REAL, persons.c.merged_into.is_(None))
+    query = select(func.count()).select_from(persons).where(*is_one)
     return int(connection.execute(query).scalar_one())
 
 

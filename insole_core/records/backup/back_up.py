@@ -213,8 +213,8 @@ def back_up(
     with BackupWriter(BackupFolder(folder), key) as writer:
         with context.database.reading() as connection:
             require(connection, context.author, Right.BACK_UP)
-            source = _Source(connection, context.contents, writer)
             patients = count_patients(connection)
+            source = _Source(connection, context.contents, writer, patients)
             manifest = source.write_all(made_at, settings or {}, progress)
         snapshot = writer.finish(made_at, manifest.as_json(), len(manifest.damaged))
         removed = 0 if keep is None else _prune(writer, keep, made_at)
@@ -261,6 +261,7 @@ class _Source:
     connection: Connection
     store: ContentStore
     writer: BackupWriter
+    patients: int
 
     def write_all(
         self, made_at: datetime, settings: Mapping[str, Path], progress: Progress
@@ -285,6 +286,7 @@ class _Source:
             contents_bytes=int(total[1]),
             damaged=wrong,
             erased=tuple(sorted(erased)),
+            patients=self.patients,
         )
 
     def _write_tables(self, progress: Progress) -> Iterator[TableContent]:

@@ -77,6 +77,8 @@ class Manifest:
         SHA-256 of those that were missing or damaged when the backup was made, and are not in it.
     erased
         Ids of erased persons, who stay erased when an earlier snapshot is restored.
+    patients
+        Number of real patients; None in a backup of an older program.
     """
 
     made_at: str
@@ -90,6 +92,7 @@ class Manifest:
     contents_bytes: int
     damaged: tuple[str, ...] = ()
     erased: tuple[str, ...] = ()
+    patients: int | None = None
 
     def as_json(self) -> bytes:
         """Return the manifest as a snapshot holds it."""
@@ -138,6 +141,7 @@ class Manifest:
         )  # fmt: skip
         counts = (
             self.audit_seq, self.contents, self.contents_bytes,
+            *(() if self.patients is None else (self.patients,)),
             *(table.rows for table in tables), *(file.size for file in files),
         )  # fmt: skip
         return (

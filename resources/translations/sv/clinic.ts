@@ -296,8 +296,8 @@
             <translation>Klockslag för säkerhetskopian</translation>
         </message>
         <message>
-            <source>It holds: patients {persons}, visits {visits}, versions of prescriptions {versions}, orders {orders}, files {files} ({size_mb:.1f} MB). Made by Insole Studio {program}.</source>
-            <translation>Den innehåller: patienter {persons}, besök {visits}, versioner av ordinationer {versions}, beställningar {orders}, filer {files} ({size_mb:.1f} MB). Gjord av Insole Studio {program}.</translation>
+            <source>It holds: patients {patients}, visits {visits}, versions of prescriptions {versions}, orders {orders}, files {files} ({size_mb:.1f} MB). Made by Insole Studio {program}.</source>
+            <translation>Den innehåller: patienter {patients}, besök {visits}, versioner av ordinationer {versions}, beställningar {orders}, filer {files} ({size_mb:.1f} MB). Gjord av Insole Studio {program}.</translation>
         </message>
         <message>
             <source>Join two entries that turned out to be one person; this can be undone</source>

@@ -208,14 +208,15 @@ class RestoreDialog(RecordDialog):
     def _show_opened(self, manifest: Manifest) -> None:
         self.say("")
         rows = {table.name: table.rows for table in manifest.tables}
+        patients = manifest.patients
         lines = [
             fill(
                 tr(
-                    "It holds: patients {persons}, visits {visits}, versions of prescriptions "
+                    "It holds: patients {patients}, visits {visits}, versions of prescriptions "
                     "{versions}, orders {orders}, files {files} ({size_mb:.1f} MB). Made by "
                     "Insole Studio {program}."
                 ),
-                persons=rows.get("persons", 0),
+                patients=rows.get("persons", 0) if patients is None else patients,
                 visits=rows.get("visits", 0),
                 versions=rows.get("prescription_versions", 0),
                 orders=rows.get("orders", 0),

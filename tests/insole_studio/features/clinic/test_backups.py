@@ -16,6 +16,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.messages import Value
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.backup.back_up import _Source, back_up, set_up_backups
@@ -52,6 +53,29 @@ def set_up(records: Records) -> None:
 
 def notices_of(clinic: Application) -> list[str]:
     return [notice.text for notice in clinic.services.notices.notices]
+
+
+def test_a_backup_counts_the_patients_that_a_restoration_counts(
+    clinic: Application, records: Records, run: Run, rest: Callable[[], None], backup_folder: Path
+) -> None:
+    anna, twice, gone = (records.persons.add(Person(n)) for n in ("Anna", "Ana", "Bo"))
+    records.persons.merge(anna.id, twice.id)
+    erase_person(records.context, gone.id, ErasureReason.REQUEST, date.today())
+    records.persons.add(Person("Anna Example", pseudonym=SAMPLE_PSEUDONYM))
+    set_up(records)
+    clinic.settings.backup_folder = str(backup_folder)
+    backup = run("backup", BackupDialog)
+    assert isinstance(backup, BackupDialog)
+    backup.now.click()
+    rest()
+    assert "is made: patients 1," in backup.message.text()
+    backup.reject()
+    dialog = run("restore_record", RestoreDialog)
+    assert isinstance(dialog, RestoreDialog)
+    type_into(dialog.secret, SECRET)
+    dialog.show_button.click()
+    rest()
+    assert "It holds: patients 1," in dialog.contents.text()
 
 
 def test_the_first_backup_asks_for_a_passphrase_and_tells_that_it_was_checked(
