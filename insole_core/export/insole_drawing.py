@@ -19,6 +19,7 @@ from PIL import Image
 from reportlab.lib import colors
 from reportlab.lib.units import mm
 from reportlab.lib.utils import ImageReader, simpleSplit
+from reportlab.pdfbase.pdfmetrics import stringWidth
 from reportlab.pdfgen.canvas import FILL_EVEN_ODD, Canvas
 from reportlab.pdfgen.pathobject import PDFPathObject
 from reportlab.platypus import Flowable
@@ -32,7 +33,12 @@ SCALES: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)
 _INK, _THIN, _SHADE = colors.black, colors.HexColor("#7a7a7a"), colors.HexColor("#dcdcdc")
 _BLUE: Final = colors.HexColor("#1f4e8c")
 _THICK_PT, _LINE_PT, _FINE_PT = 0.9, 0.45, 0.25
+_FONT: Final = "DejaVuSans"
 _TEXT_PT, _SMALL_PT = 7.0, 6.0
+_LEAST_LINE_PT: Final = 5.0
+"""Of a field of the title block; what is too long for one line then takes several."""
+_LEADING: Final = 1.1
+"""From line to line, to the size of the letters."""
 _ARROW_MM: Final = 1.6
 _CONTOUR_STEP_MM: Final = 2.0
 _STRAIGHT_MM: Final = 0.05
@@ -538,7 +544,24 @@ def closed(polygon: FloatArray) -> FloatArray:
 
 def _wrapped(text: str, width_mm: float) -> list[str]:
     """Return the lines that a text takes in the letters of the table."""
-    return list(simpleSplit(text, "DejaVuSans", _TEXT_PT, width_mm * mm))
+    return list(simpleSplit(text, _FONT, _TEXT_PT, width_mm * mm))
+
+
+def _broken(text: str, size: float, width_mm: float) -> list[str]:
+    """Return the lines of a text, within a word broken only where it alone is wider than a line."""
+    lines = []
+    for line in simpleSplit(text, _FONT, size, width_mm * mm):
+        first = 0
+        while first < len(line):
+            ends = range(len(line), first, -1)
+            end = next(n for n in ends if _width_mm(line[first:n], size) <= width_mm)
+            lines.append(line[first:end])
+            first = end
+    return lines
+
+
+def _width_mm(text: str, size: float) -> float:
+    return float(stringWidth(text, _FONT, size) / mm)
 
 
 def _scale_for(length_mm: float, room_mm: float) -> float:
@@ -638,8 +661,8 @@ def _draw_title_block(
         x, y = column * width, _TITLE_MM - (row + 1) * height
         is_last = number == len(cells) - 1
         pen.box(x, y, width_mm - x if is_last else width, height)
-        pen.text(x + 1, y + height - 2.4, name, size=5.0)
-        pen.fitted(x + 1.2, y + 1.4, text or "–", width - 2)
+        pen.text(x + 1, y + height - 2.0, name, size=5.0)
+        pen.fitted(x + 1.2, y, text or "–", (width - 2, height - 2.6))
 
 
 class _Pen:
@@ -699,24 +722,26 @@ class _Pen:
         centred: bool = False,
         right: bool = False,
     ) -> None:
-        self._canvas.setFont("DejaVuSans-Bold" if bold else "DejaVuSans", size)
+        self._canvas.setFont(f"{_FONT}-Bold" if bold else _FONT, size)
         draw = self._canvas.drawRightString if right else self._canvas.drawString
         draw = self._canvas.drawCentredString if centred else draw
         draw(x * mm, y * mm, as_written(text))
 
-    def fitted(self, x: float, y: float, text: str, width: float) -> None:
-        """Write a text as small as its room needs, cut at the end if that is too small."""
-        size = _TEXT_PT + 1
+    def fitted(self, x: float, y: float, text: str, room: tuple[float, float]) -> None:
+        """Write a text above (x, y) as small as its room needs, in several lines if it has to be.
 
-        def is_wide() -> bool:
-            written = as_written(text)
-            return bool(self._canvas.stringWidth(written, "DejaVuSans", size) > width * mm)
-
-        while size > 5 and is_wide():
-            size -= 0.5
-        while is_wide():
-            text = text[:-2] + "…"
-        self.text(x, y, text, size=size)
+        It is never cut: a piece is told from others by what stands here.
+        """
+        for size in np.arange(_TEXT_PT + 1, 0, -0.5).tolist():
+            lines = [text] if size >= _LEAST_LINE_PT else _broken(text, size, room[0])
+            widest = max(_width_mm(as_written(line), size) for line in lines)
+            leading = _LEADING * size / mm
+            if widest <= room[0] and len(lines) * leading <= room[1]:
+                break
+        y += 1.4 if len(lines) == 1 else (len(lines) - 0.7) * leading
+        for line in lines:
+            self.text(x, y, line, size=size)
+            y -= leading
 
     def dimension(
         self,

@@ -98,8 +98,9 @@ class JobSheet:
         Whether the frame of the file is that of a block.
     drawn
         The piece for the drawing; without it there is none.
-    title
-        Of the title block of the drawing, beside the file's hash.
+    title, own_title
+        Of the title block of the drawing, beside the file's hash: where all pieces of the order
+        are shown, and where this one alone is.
     remarks
         Of the order, for the drawing.
     """
@@ -116,6 +117,7 @@ class JobSheet:
     is_nested: bool = False
     drawn: DrawnInsole | None = None
     title: Facts = field(default_factory=dict)
+    own_title: Facts = field(default_factory=dict)
     remarks: str = ""
 
 
@@ -215,19 +217,18 @@ def _drawing(
     """Return the pages of the drawing: views of all pieces, sections of each sheet's."""
     _register_font()
     words = paper_texts("words", translate)
-    titles = [
-        {**sheet.title, "file": sheet.file_name, "SHA-256": _digest_of(sheet.file)[:16]}
-        for sheet in sheets
-    ]
+    files = [{"file": sheet.file_name, "SHA-256": _digest_of(sheet.file)[:16]} for sheet in sheets]
     made: list[Callable[[Facts], Flowable]] = []
     if pieces:
         views = partial(ViewsPage, pieces, _DRAWING_MM, words=words, remarks=sheets[0].remarks)
         rest = ElementsPage.parts(views(title={}).rest, _DRAWING_MM)
-        made.append(lambda count: views(title={**titles[0], **count}))
-        made += [partial(_elements_page, rows, titles[0], words) for rows in rest]
-    for sheet, title in zip(sheets, titles, strict=True):
+        title = {**sheets[0].title, **files[0]}
+        made.append(lambda count: views(title={**title, **count}))
+        made += [partial(_elements_page, rows, title, words) for rows in rest]
+    for sheet, file in zip(sheets, files, strict=True):
         if sheet.drawn is not None:
-            made.append(partial(_sections_page, sheet.drawn, title, words))
+            own_title = {**sheet.own_title, **file}
+            made.append(partial(_sections_page, sheet.drawn, own_title, words))
     return [[make({"sheet": f"{number} / {len(made)}"})] for number, make in enumerate(made, 1)]
 
 

@@ -459,27 +459,29 @@ def _job_sheet(
         failed_mm=placed.failed_mm,
         is_nested=job.is_nested,
         drawn=piece,
-        title=_title(job, part, drawn),
+        title=_title(job, part, [each.side for each in drawn]),
+        own_title=_title(job, part, [part.side]),
         remarks=job.terms.remarks,
     )
 
 
-def _title(job: ExportJob, part: Part, drawn: Sequence[DrawnInsole]) -> dict[str, str]:
-    """Return the title block of the drawing, without what file and page tell."""
+def _title(job: ExportJob, part: Part, sides: Sequence[Side]) -> dict[str, str]:
+    """Return the title block of a sheet that shows the sides, without what file and page tell."""
     release, terms = job.release, job.terms
     known = job.identification.get("pseudonym", "–")
+    materials = [job.translate(job.materials.get(side) or "–") for side in sides]
     return {
         "order number": release.number or known,
         "revision": str(release.revision),
         "date": date.today().isoformat(),
         "sheet": "",
         "pseudonym": known,
-        "side": " and ".join(str(each.side) for each in drawn),
+        "side": " and ".join(map(str, sides)),
         "kind": part.order.kind,
         "quantity": str(terms.quantity),
-        "material": job.translate(job.materials.get(part.side) or "–"),
+        "material": ", ".join(dict.fromkeys(materials)),
         "lot of the material": terms.lot or "–",
-        "serial number": ", ".join(job.serial_of(each.side) for each in drawn),
+        "serial number": ", ".join(map(job.serial_of, sides)),
         "colour": terms.colour or "–",
         "cover": terms.cover or "–",
         "delivery date": terms.facts.get("delivery date", "–"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import string
 from dataclasses import replace
 from pathlib import Path
 
@@ -119,3 +120,35 @@ def test_all_that_is_prescribed_stands_on_the_drawing(
     tables = [at for at, line in enumerate(lines) if line == "Posts, pads and corrections"]
     assert len(tables) == 1 + len(goes_on)
     assert [lines[at + 1] for at in tables] == ["left", *goes_on]
+
+
+@pytest.mark.parametrize("letters", [8, 60, 120])
+def test_nothing_of_what_identifies_a_piece_is_cut(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, letters: int
+) -> None:
+    """Each sheet has the whole number of what it shows, however long it is, within its field."""
+    ends: list[float] = []
+    draw = Canvas.drawString
+
+    def note(canvas: Canvas, x: float, y: float, text: str) -> None:
+        if len(text) > 2 and text[:3] in 2 * string.ascii_uppercase:
+            ends.append(x / mm + canvas.stringWidth(text) / mm)
+        draw(canvas, x, y, text)
+
+    monkeypatch.setattr(Canvas, "drawString", note)
+    file, path = tmp_path / "a.stl", tmp_path / "sheet.pdf"
+    file.write_bytes(b"solid")
+    left, right = ((string.ascii_uppercase * 5)[:letters] + f"-1-{side}" for side in "LR")
+    sheets = [
+        JobSheet(
+            {}, {}, {}, (), file, "a.stl", drawn=replace(drawn_box(), side=side),
+            title={"serial number": f"{left}, {right}", "cover": "Nora"},
+            own_title={"serial number": own, "cover": "Nora"},
+        )
+        for side, own in zip(Side, (left, right), strict=True)
+    ]  # fmt: skip
+    write_job_sheet(sheets, path, pieces=[sheet.drawn for sheet in sheets if sheet.drawn])
+    blocks = re.findall(r"Serial number of the piece\n(.*?)\nCover\n", text_of_pdf(path), re.DOTALL)
+    numbers = [re.sub(r"[,\s]", "", block) for block in blocks]
+    assert numbers == [left + right, left, right]
+    assert max(ends) < 173 / 4

@@ -106,6 +106,9 @@ def test_the_drawing_shows_both_feet_with_the_order_and_the_dimensions_of_the_so
         assert shown in text
     digest = sha256_of(unpacked / "P-17-left.stl")
     assert digest[:16] in text.split()
+    left, right = "26-7KQ4M-P-17-1-L", "26-7KQ4M-P-17-1-R"
+    titles = re.findall(r"Serial number of the piece\n(.*?)\nColour\n", text, re.DOTALL)
+    assert [title.split() for title in titles[:2]] == [[f"{left},", right], [left]]
 
 
 def problems_of(path: Path) -> str:
