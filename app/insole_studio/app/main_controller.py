@@ -367,12 +367,21 @@ class MainController(QObject):
 
     def _show_undo(self) -> None:
         """Offer to undo what is shown: the panels' case, or the fields of a person's page."""
-        history, on_panels = self._case.history, self._window.page is None
-        undone = self._tool_controller.tool.own_step(self._case) or history.undo_sentence
-        for key, done in (("undo", undone), ("redo", history.redo_sentence)):
-            verb, sentence = self._records[key].text(), done if on_panels else ""
+        for key, sentence in zip(("undo", "redo"), self._steps, strict=True):
+            verb = self._records[key].text()
             text = f"{verb}: {sentence}" if sentence else verb
-            self._window.show_action(key, bool(sentence) or self._is_on_person, text)
+            self._window.show_action(key, bool(sentence), text)
+
+    @property
+    def _steps(self) -> tuple[str, str]:
+        """What undo and redo would do to what is shown; empty for what there is nothing to."""
+        if self._is_on_person:
+            return self._features.records.steps_on_page
+        if self._window.page is not None:
+            return "", ""
+        history = self._case.history
+        undone = self._tool_controller.tool.own_step(self._case) or history.undo_sentence
+        return undone, history.redo_sentence
 
     def _show_choices(self) -> None:
         """Check the toggles and choices that match what is shown, however they were changed."""

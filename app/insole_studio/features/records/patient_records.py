@@ -86,7 +86,7 @@ class PatientRecords(QObject):
     recent_file_chosen = Signal(str)
     reminder_put_off = Signal()
     person_named = Signal()
-    """The name on the person page is another one."""
+    """The person page shows its person anew, such as under another name or after an edit."""
     compared = Signal(object, object)
     """Emitted with two visits to compare, the newer one first: name and case of each."""
 
@@ -593,6 +593,12 @@ class PatientRecords(QObject):
     def _here(self) -> str:
         who = self._clinic.author
         return "" if who is None else f"{who.name}, {who.station}"
+
+    @property
+    def steps_on_page(self) -> tuple[str, str]:
+        """What undo and redo would do on the person page; empty for what there is nothing to."""
+        presenter = self._person_presenter
+        return ("", "") if presenter is None else (presenter.undo_sentence, presenter.redo_sentence)
 
     def undo(self) -> None:
         """Undo the last edit on the person page."""

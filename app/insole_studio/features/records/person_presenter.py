@@ -169,6 +169,16 @@ class PersonPresenter:
         """Return a visit of the person on the page; None if it is none of theirs."""
         return next((shown for shown in self.visits if shown.visit.id == visit_id), None)
 
+    @property
+    def undo_sentence(self) -> str:
+        """The edit that the next undo reverts; empty when there is none."""
+        return self._history.undo_sentence
+
+    @property
+    def redo_sentence(self) -> str:
+        """The edit that the next redo repeats; empty when there is none."""
+        return self._history.redo_sentence
+
     def undo(self) -> None:
         """Undo the last edit of a field."""
         self._step_to(self._history.undo())

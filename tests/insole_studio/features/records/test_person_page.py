@@ -375,6 +375,36 @@ def test_nothing_is_scanned_on_the_page_of_a_person_without_a_visit(
     assert all(action.isEnabled() for action in actions)
 
 
+def test_undo_and_redo_are_offered_where_an_edit_of_the_page_is_there_to_be(
+    clinic: Application,
+    page: PersonPage,
+    records: Records,
+    rest: Callable[[], None],
+) -> None:
+    undo, redo = (clinic.window.actions_by_key[key] for key in ("undo", "redo"))
+
+    def offered() -> tuple[bool, bool]:
+        return undo.isEnabled(), redo.isEnabled()
+
+    assert offered() == (False, False)
+    type_in(page, "contact", "070-123")
+    assert offered() == (True, False)
+    assert undo.text() == "Undo: Edit the patient's fields"
+    rest()
+    undo.trigger()
+    assert offered() == (False, True)
+    rest()
+    redo.trigger()
+    rest()
+    assert offered() == (True, False)
+    other = records.persons.add(Person("Bo Dal"))
+    clinic.features.records.show_person(other.id)
+    rest()
+    assert offered() == (False, False)
+    clinic.controller.run_action("patients", False)
+    assert offered() == (False, False)
+
+
 @pytest.mark.parametrize("action", ["new_visit", "new_visit_same"])
 def test_a_visit_without_a_scan_takes_the_last_one_and_says_its_day(
     page: PersonPage,
