@@ -8,6 +8,7 @@ from html import escape
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QComboBox,
     QDialog,
     QDialogButtonBox,
@@ -32,6 +33,13 @@ def mark_labels(form: QFormLayout) -> None:
         label = None if item is None else item.widget()
         if label is not None:
             label.setProperty("form", True)
+
+
+def allow(button: QAbstractButton, why_not: str) -> None:
+    """Enable a button, or let it say why it is not; an empty sentence enables it."""
+    button.setEnabled(not why_not)
+    button.setToolTip(why_not)
+    button.setAccessibleDescription(why_not)
 
 
 @dataclass(frozen=True)
@@ -62,7 +70,7 @@ class FieldsDialog(QDialog):
         self.setWindowTitle(title)
         self.setMinimumWidth(_WIDTH_PX)
         self.lines = {field.key: QLineEdit(field.value) for field in fields}
-        self._required = [field.key for field in fields if field.required]
+        self._required = {field.key: field.label for field in fields if field.required}
         words = QLabel(sentence)
         words.setWordWrap(True)
         form = QFormLayout()
@@ -94,7 +102,8 @@ class FieldsDialog(QDialog):
 
     def _allow(self) -> None:
         texts = self.texts()
-        self.accept_button.setEnabled(all(texts[key] for key in self._required))
+        gaps = ", ".join(label for key, label in self._required.items() if not texts[key])
+        allow(self.accept_button, tr("Still missing: {names}").format(names=gaps) if gaps else "")
 
     def _focus_first_gap(self) -> None:
         gaps = [key for key in self._required if not self.lines[key].text()]

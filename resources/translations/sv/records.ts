@@ -168,6 +168,10 @@
             <translation>Kontrollerad</translation>
         </message>
         <message>
+            <source>Choose a patient in the list first.</source>
+            <translation>Välj först en patient i listan.</translation>
+        </message>
+        <message>
             <source>Choose between two versions of the patient's fields</source>
             <translation>Välj mellan två versioner av patientens fält</translation>
         </message>
@@ -756,6 +760,10 @@
             <translation>Den här beställningen skrevs utan papper.</translation>
         </message>
         <message>
+            <source>This visit has no foot yet.</source>
+            <translation>Besöket har ingen fot ännu.</translation>
+        </message>
+        <message>
             <source>This visit has no scan yet; the last one is of {day}.</source>
             <translation>Det här besöket har ingen skanning än; den senaste är från {day}.</translation>
         </message>
@@ -786,6 +794,10 @@
         <message>
             <source>Two versions of this foot wait for a decision; yours is kept on this computer.</source>
             <translation>Två versioner av foten väntar på ett beslut; din finns kvar på den här datorn.</translation>
+        </message>
+        <message>
+            <source>Type the outcome first.</source>
+            <translation>Skriv resultatet först.</translation>
         </message>
         <message>
             <source>Use the earlier scan</source>

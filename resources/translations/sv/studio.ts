@@ -1260,6 +1260,10 @@
             <translation>Steg</translation>
         </message>
         <message>
+            <source>Still missing: {names}</source>
+            <translation>Saknas ännu: {names}</translation>
+        </message>
+        <message>
             <source>Surface</source>
             <translation>Yta</translation>
         </message>

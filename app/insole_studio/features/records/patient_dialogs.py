@@ -29,7 +29,7 @@ from insole_studio.features.records.start_page import MOST_LETTERS
 from insole_studio.services.person_list import person_headings
 from insole_studio.texts import tr
 from insole_studio.widgets.date_field import DateField
-from insole_studio.widgets.form_parts import mark_labels
+from insole_studio.widgets.form_parts import allow, mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -156,7 +156,7 @@ class ChoosePersonDialog(QDialog):
         self.add = buttons.addButton(tr("Add to this patient"), role.ActionRole)
         self.new = buttons.addButton(tr("Add as a new patient"), role.ActionRole)
         buttons.addButton(tr("Cancel"), role.RejectRole)
-        self.add.setEnabled(False)
+        self._allow("")
         self.add.clicked.connect(self._choose_current)
         self.new.clicked.connect(self._choose_new)
         buttons.rejected.connect(self.reject)
@@ -170,7 +170,7 @@ class ChoosePersonDialog(QDialog):
         self.table.show_rows(rows)
 
     def _allow(self, person_id: str) -> None:
-        self.add.setEnabled(bool(person_id))
+        allow(self.add, "" if person_id else tr("Choose a patient in the list first."))
 
     def _choose_current(self) -> None:
         self._choose(self.table.current_key)

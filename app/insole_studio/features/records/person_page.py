@@ -26,7 +26,7 @@ from insole_studio.features.records.trend_chart import TrendChart
 from insole_studio.features.records.visit_card import VisitCard
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.elided_label import ElidedLabel
-from insole_studio.widgets.form_parts import ComboBox, mark_labels
+from insole_studio.widgets.form_parts import ComboBox, allow, mark_labels
 from insole_studio.widgets.layouts import FlowRow, VerticalScroll
 from insole_studio.widgets.text_fields import (
     NotesField,
@@ -237,7 +237,8 @@ class PersonPage(QWidget):
         return [key for key, card in self.cards.items() if card.compare.isChecked()]
 
     def _show_compare(self) -> None:
-        self._compare.setEnabled(len(self._compared()) == 2)
+        is_pair = len(self._compared()) == 2
+        allow(self._compare, "" if is_pair else tr("Choose two visits to compare them"))
 
     def _request_compare(self) -> None:
         newer, older = self._compared()

@@ -30,7 +30,7 @@ from insole_studio.features.records.record_form import (
 )
 from insole_studio.features.records.rows import event_text
 from insole_studio.texts import tr
-from insole_studio.widgets.form_parts import mark_labels
+from insole_studio.widgets.form_parts import allow, mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 from insole_studio.widgets.text_fields import NotesField
@@ -161,12 +161,12 @@ class FollowUpDialog(QDialog):
         buttons = QDialogButtonBox()
         role = QDialogButtonBox.ButtonRole
         self.add = buttons.addButton(tr("Add follow-up"), role.AcceptRole)
-        self.add.setEnabled(False)
         buttons.addButton(tr("Close"), role.RejectRole)
         buttons.accepted.connect(self._try)
         buttons.rejected.connect(self.reject)
         self.refusal = MessageLabel("warning")
         self.outcome.textChanged.connect(self._allow)
+        self._allow()
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(outcome, self.outcome)
@@ -187,7 +187,8 @@ class FollowUpDialog(QDialog):
         )
 
     def _allow(self) -> None:
-        self.add.setEnabled(bool(self.outcome.text().strip()))
+        is_typed = bool(self.outcome.text().strip())
+        allow(self.add, "" if is_typed else tr("Type the outcome first."))
 
     def _try(self) -> None:
         try:

@@ -27,6 +27,7 @@ from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.rows import PictureKey, VisitRow
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.form_parts import allow
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.side_switch import side_letter
 
@@ -62,9 +63,10 @@ class VisitCard(QFrame):
         self.scan.setAccessibleDescription("; ".join(row.scan_details))
         self.scan.setToolTip("<br>".join(map(html.escape, row.scan_details)))
         self.compare = QCheckBox(tr("Compare"))
-        self.compare.setToolTip(tr("Choose two visits to compare them"))
         self.compare.toggled.connect(self._toggle_compare)
-        self.compare.setEnabled(bool(row.feet))
+        allow(self.compare, self._why_no_feet)
+        if row.feet:
+            self.compare.setToolTip(tr("Choose two visits to compare them"))
         self._lay_out()
 
     def show_picture(self, key: PictureKey, image: QImage) -> None:
@@ -134,11 +136,16 @@ class VisitCard(QFrame):
         button = QPushButton(text)
         button.setProperty("action", key)
         button.setAccessibleName(f"{text} {self.row.day}")
-        button.setEnabled(key != "versions" or bool(self.row.feet))
+        if key == "versions":
+            allow(button, self._why_no_feet)
         if key == "delete":
             button.setToolTip(tr("Deletes a visit that holds nothing; any other one is kept"))
         button.clicked.connect(self._request)
         return button
+
+    @property
+    def _why_no_feet(self) -> str:
+        return "" if self.row.feet else tr("This visit has no foot yet.")
 
     def _picture(self, key: PictureKey) -> QLabel:
         label = QLabel()

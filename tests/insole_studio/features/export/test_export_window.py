@@ -415,6 +415,8 @@ def test_a_prescription_asks_for_who_prescribes_and_makes(
         assert isinstance(dialog, FieldsDialog)
         assert dialog.parentWidget() is stage
         assert not dialog.accept_button.isEnabled()
+        missing = "Still missing: Name of the patient, Prescriber, Maker of the insole, "
+        assert dialog.accept_button.toolTip() == missing + "Address of the maker"
         fill(["Anna Bergqvist", "A. Ek", "", "Sula AB", "Gatan 1, Lund"])(dialog)
 
     when_asked(FieldsDialog, refuse_gaps)

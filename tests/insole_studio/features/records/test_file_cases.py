@@ -54,7 +54,9 @@ def test_a_case_becomes_a_visit(
     clinic.controller.run_action("add_to_record", False)
     (dialog,) = clinic.window.findChildren(ChoosePersonDialog)
     qtbot.waitUntil(lambda: bool(dialog.table.rows))
+    assert dialog.add.toolTip() == "Choose a patient in the list first."
     dialog.table.take_first()
+    assert dialog.add.toolTip() == ""
     QTest.mouseClick(dialog.new if is_new else dialog.add, LEFT)
     qtbot.waitUntil(lambda: clinic.case.kept is not None)
     kept = clinic.case.kept

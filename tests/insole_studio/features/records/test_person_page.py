@@ -469,7 +469,9 @@ def test_two_visits_are_compared(
     qtbot.waitUntil(lambda: len(page.cards) == 2)
     for card in page.cards.values():
         qtbot.waitUntil(card.compare.isEnabled)
+        assert page._compare.toolTip() == "Choose two visits to compare them"
         card.compare.click()
+    assert page._compare.toolTip() == ""
     QTest.mouseClick(page._compare, LEFT)
     compare = clinic.features.compare
     qtbot.waitUntil(lambda: compare.stage is not None)
@@ -515,6 +517,7 @@ def test_a_follow_up_is_added(
     rest()
     (dialog,) = clinic.window.findChildren(FollowUpDialog)
     assert not dialog.add.isEnabled()
+    assert dialog.add.accessibleDescription() == "Type the outcome first."
     dialog.outcome.insert("x" * 250)
     QTest.mouseClick(dialog.add, LEFT)
     assert dialog.isVisible()
