@@ -95,6 +95,16 @@ class NewestVersion:
         """
         return _chosen_design(self._content)
 
+    def prescribes(self, prescribes: Callable[[InsoleDesign], bool]) -> bool:
+        """Return whether a foot may get its prescription, as for `Prescriptions.last_prescribed`.
+
+        Raises
+        ------
+        InsoleError
+            When it cannot be read.
+        """
+        return _holds_prescription(self._content, prescribes)
+
     @cached_property
     def source(self) -> ScanSource:
         """What the foot was made from.
@@ -257,10 +267,8 @@ class Prescriptions:
         """
         last: dict[str, Row[Any]] = {}
         for row in self._newest_of_person(person_id):
-            if row.side not in last:
-                document = _document_of(row)
-                if document.has("earlier") or prescribes(_chosen_design(document)):
-                    last[row.side] = row
+            if row.side not in last and _holds_prescription(_document_of(row), prescribes):
+                last[row.side] = row
         return [self.foot_of(row) for row in last.values()]
 
     def last_scanned(self, person_id: str) -> list[ScannedFoot]:
@@ -468,6 +476,11 @@ def _document_of(row: Row[Any]) -> JsonObject:
 
 def _document(side: str, number: int, text: str) -> JsonObject:
     return JsonObject.parse(f"{side}, version {number}", text.encode())
+
+
+def _holds_prescription(document: JsonObject, prescribes: Callable[[InsoleDesign], bool]) -> bool:
+    """Return whether a version prescribes something, or keeps what a scan before was prescribed."""
+    return document.has("earlier") or prescribes(_chosen_design(document))
 
 
 def _chosen_design(document: JsonObject) -> InsoleDesign:

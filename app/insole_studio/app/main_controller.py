@@ -344,6 +344,9 @@ class MainController(QObject):
         window.show_action("add_to_record", on_panels and is_file)
         for key in OF_PERSON:
             window.show_action(key, self._is_on_person)
+        why_not = self._features.records.why_not_same if self._is_on_person else ""
+        window.show_action("new_visit_same", self._is_on_person and not why_not)
+        window.explain_action("new_visit_same", why_not)
         for key in SCANNING:  # else the foot would be nobody's
             window.show_action(key, not self._is_on_person_alone)
         window.show_action("remove", on_panels and case.selection is not None)

@@ -210,6 +210,12 @@ class MainWindow(QMainWindow):
         if text is not None:
             action.setText(text)
 
+    def explain_action(self, key: str, why_not: str) -> None:
+        """Let an action say why it is disabled; with an empty sentence, what it does."""
+        record, action = next(r for r in self._records if r.key == key), self.actions_by_key[key]
+        action.setToolTip(why_not or _tip(record))
+        action.setStatusTip(why_not or record.tip())
+
     def show_pads(self, enabled: bool) -> None:
         """Show whether a pad of the library can be chosen in the menu."""
         self._pads_entry.setEnabled(enabled)

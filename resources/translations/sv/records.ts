@@ -452,6 +452,10 @@
             <translation>Inget har ordinerats för den här patienten tidigare; en skanning börjar om från början.</translation>
         </message>
         <message>
+            <source>Nothing was prescribed on an earlier visit.</source>
+            <translation>Inget ordinerades vid något tidigare besök.</translation>
+        </message>
+        <message>
             <source>One order</source>
             <translation>En beställning</translation>
         </message>

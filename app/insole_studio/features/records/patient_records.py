@@ -37,7 +37,7 @@ from insole_studio.features.records.order_files import OrderFiles
 from insole_studio.features.records.orders_page import OrdersPage
 from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.patient_dialogs import ChoosePersonDialog, NewPatientDialog
-from insole_studio.features.records.person_page import PersonPage
+from insole_studio.features.records.person_page import PersonPage, why_not_same
 from insole_studio.features.records.person_presenter import PersonPresenter
 from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
 from insole_studio.features.records.rows import version_text
@@ -392,6 +392,12 @@ class PatientRecords(QObject):
         """The person on the page; None for none, and until it is read."""
         return None if self._person_presenter is None else self._person_presenter.person
 
+    @property
+    def why_not_same(self) -> str:
+        """Why no new visit of the person on the page can take the last prescription."""
+        presenter = self._person_presenter
+        return "" if presenter is not None and presenter.is_prescribed else why_not_same()
+
     def _add_follow_up(self, follow_up: FollowUp) -> None:
         self._clinic.write(lambda r: r.follow_ups.add(follow_up), _nothing, self._tell)
 
@@ -633,7 +639,10 @@ class PatientRecords(QObject):
 
     def _make_person(self) -> None:
         self.person = page = PersonPage()
-        self._person_presenter = PersonPresenter(page, self._clinic, self._tell, self._ask_fields)
+        folder = self._services.paths.settings_folder
+        self._person_presenter = PersonPresenter(
+            page, self._clinic, self._tell, self._ask_fields, folder
+        )
         page.action_requested.connect(self.action_requested)
         page.visit_action_requested.connect(self._run_on_visit)
         page.compare_requested.connect(self._compare)

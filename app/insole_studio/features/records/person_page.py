@@ -39,6 +39,11 @@ FIELDS_PX = 320
 PERSON = typed_fields(Person)
 
 
+def why_not_same() -> str:
+    """Return why a new visit cannot take the last prescription."""
+    return tr("Nothing was prescribed on an earlier visit.")
+
+
 class PersonPage(QWidget):
     """A person and their visits."""
 
@@ -152,6 +157,10 @@ class PersonPage(QWidget):
         self._allow_typing()
         for key in ("new_visit", "new_visit_same", "follow_up"):
             self._buttons[key].setEnabled(editable)
+
+    def show_prescribed(self, is_prescribed: bool) -> None:
+        """Show whether a visit holds a prescription that a new one could take."""
+        allow(self._buttons["new_visit_same"], "" if is_prescribed else why_not_same())
 
     def _allow_typing(self) -> None:
         for key, field in self._fields.items():

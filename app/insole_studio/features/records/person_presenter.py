@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from insole_core.errors import Conflict, InputError, InsoleError
@@ -25,6 +26,7 @@ from insole_core.records.record_field import (
 )
 from insole_core.records.visit import CaptureState, Visit
 from insole_core.records.visit_measures import stored_measures
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_form import label_of, shown_texts
@@ -48,6 +50,7 @@ from insole_studio.features.records.visit_card import VisitPictures
 from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
+    from insole_core.records.prescriptions import NewestVersion
     from insole_core.records.records import Records
 
 READ = "records-person"
@@ -82,10 +85,17 @@ class VisitView:
 
 @dataclass(frozen=True)
 class PersonView:
-    """A person with what the page shows of them, the newest visit first."""
+    """A person with what the page shows of them, the newest visit first.
+
+    Parameters
+    ----------
+    is_prescribed
+        Whether a new visit can take a prescription from one of these.
+    """
 
     person: Person
     visits: tuple[VisitView, ...]
+    is_prescribed: bool
 
 
 class PersonPresenter:
@@ -97,6 +107,8 @@ class PersonPresenter:
         Shows an error that belongs to no field.
     ask
         Asks which values of fields count that somebody else has changed, too.
+    settings
+        Folder with the device that new designs begin with.
     """
 
     def __init__(
@@ -105,17 +117,20 @@ class PersonPresenter:
         clinic: ClinicRecord,
         tell: Callable[[Exception], None],
         ask: AskFields,
+        settings: Path,
     ) -> None:
         self._page = page
         self._clinic = clinic
         self._tell = tell
         self._ask = ask
+        self._settings = settings
         self._person: Person | None = None
         self._wanted: Person | None = None
         """The person as they should be stored, while an earlier change is being stored."""
         self._is_storing = False
         self._history: History[Person] = History()
         self.visits: tuple[VisitView, ...] = ()
+        self.is_prescribed = False
         self._pictures = VisitPictures(clinic, page.show_picture)
         page.field_edited.connect(self.edit_field)
         clinic.changed.connect(self.refresh)
@@ -133,13 +148,21 @@ class PersonPresenter:
             self._page.forget_typed()
             self._history.clear()
             self._person = self._wanted = None
-        self._clinic.ask(READ, lambda r: _read(r, person_id, seen=True), self._take, self._tell)
+            self.is_prescribed = False
+        self._clinic.ask(
+            READ,
+            lambda r: _read(r, person_id, self._settings, seen=True),
+            self._take,
+            self._tell,
+        )
 
     def refresh(self) -> None:
         """Show what has changed in the record."""
         person = self._person
         if person is not None and self._clinic.is_open and self._page.isVisible():
-            self._clinic.ask(READ, lambda r: _read(r, person.id), self._take, self._tell)
+            self._clinic.ask(
+                READ, lambda r: _read(r, person.id, self._settings), self._take, self._tell
+            )
 
     def _note_seen(self) -> None:
         """Let the audit log tell that whoever has signed in sees the page that was open."""
@@ -253,8 +276,9 @@ class PersonPresenter:
             self._history.clear()
         if not self._is_storing:
             self._person = view.person
-        self.visits = view.visits
+        self.visits, self.is_prescribed = view.visits, view.is_prescribed
         self._show_fields()
+        self._show_state()
         self._page.show_visits([_row(visit) for visit in view.visits])
         self._page.show_trends(trends_of([shown.visit for shown in view.visits]))
         pictured = view.visits[:_MOST_PICTURED]
@@ -262,6 +286,8 @@ class PersonPresenter:
 
     def _show_state(self) -> None:
         self._page.show_editable(self._clinic.is_writable)
+        if self._clinic.is_writable:
+            self._page.show_prescribed(self.is_prescribed)
 
     def _show_fields(self) -> None:
         if (person := self.person) is not None:
@@ -269,20 +295,38 @@ class PersonPresenter:
             self._page.show_person(shown_texts(person))
 
 
-def _read(records: Records, person_id: str, *, seen: bool = False) -> PersonView:
+def _read(records: Records, person_id: str, settings: Path, *, seen: bool = False) -> PersonView:
     person = records.persons.open(person_id) if seen else records.persons.get(person_id)
     with records.snapshot():
         visits = records.visits.of_person(person.id)
         orders = records.orders.of_person(person.id)
         photos = records.photos.counts_of([visit.id for visit in visits])
-        views = (_visit_view(records, visit, orders, photos) for visit in visits)
-        return PersonView(person, tuple(views))
+        newest = [records.prescriptions.newest(visit.id) for visit in visits]
+        views = tuple(
+            _visit_view(records, visit, versions, orders, photos)
+            for visit, versions in zip(visits, newest, strict=True)
+        )
+    return PersonView(person, views, _is_prescribed(newest, settings))
+
+
+def _is_prescribed(newest: Sequence[Sequence[NewestVersion]], settings: Path) -> bool:
+    """Return whether one of the versions can be taken over; a damaged one is told once it is."""
+    if not any(newest):
+        return False
+    starting = starting_device(settings)
+    try:
+        return any(one.prescribes(starting.prescribes) for found in newest for one in found)
+    except InsoleError:
+        return True
 
 
 def _visit_view(
-    records: Records, visit: Visit, orders: Sequence[OrderSummary], photos: Mapping[str, int]
+    records: Records,
+    visit: Visit,
+    newest: Sequence[NewestVersion],
+    orders: Sequence[OrderSummary],
+    photos: Mapping[str, int],
 ) -> VisitView:
-    newest = records.prescriptions.newest(visit.id)
     others = records.presence.others(visit.id)
     return VisitView(
         visit,

@@ -356,6 +356,41 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     )
 
 
+def test_the_same_prescription_is_offered_where_there_is_one(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    action = clinic.window.actions_by_key["new_visit_same"]
+    button = page._buttons["new_visit_same"]
+
+    def said() -> set[str]:
+        assert action.isEnabled() == button.isEnabled()
+        return {action.statusTip(), button.toolTip(), button.accessibleDescription()}
+
+    why_not = {"Nothing was prescribed on an earlier visit."}
+    rest()
+    assert not button.isEnabled()  # its insole is as a new one begins
+    assert said() == why_not
+    opened = records.visits.open_case(visit.id)
+    foot = opened.record.feet[0]
+    lifted = foot.with_design(foot.design.with_added(HeelLift(height_mm=6.0)))
+    records.prescriptions.save(visit.id, lifted, opened.bases[Side.LEFT])
+    qtbot.waitUntil(button.isEnabled)
+    assert said().isdisjoint(why_not)
+    other = records.persons.add(Person("Bo Dal"))
+    clinic.features.records.show_person(other.id)
+    assert not action.isEnabled()
+    rest()
+    assert not button.isEnabled()
+    assert said() == why_not
+    clinic.controller.run_action("patients", False)
+    assert "to be prescribed as the last one" in action.statusTip()
+
+
 def test_nothing_is_scanned_on_the_page_of_a_person_without_a_visit(
     page: PersonPage, clinic: Application, visit: Visit, rest: Callable[[], None], qtbot: QtBot
 ) -> None:
