@@ -188,12 +188,15 @@ def _box_sheet(colors: Colors) -> str:
 
 
 def _sign_sheet(colors: Colors) -> str:
-    """Return the style sheet of the signs of panels and toolbars: Qt's own are dark on dark."""
+    """Return the style sheet of signs of panels, toolbars, files: Qt's own are dark on dark."""
     close, more = _sign("close", colors), _sign("more", colors)
     return f"""
     QDockWidget {{ titlebar-close-icon: url("{close}"); dockwidget-close-icon: url("{close}");
                    titlebar-normal-icon: url("{_sign("float", colors)}"); }}
     QToolButton#qt_toolbar_ext_button {{ qproperty-icon: url("{more}"); }}
+    QFileDialog {{ backward-icon: url("{_sign("back", colors)}");
+                   forward-icon: url("{_sign("forward", colors)}");
+                   filedialog-parent-directory-icon: url("{_sign("up", colors)}"); }}
     """
 
 

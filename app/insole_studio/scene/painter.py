@@ -57,7 +57,11 @@ WORD_GAP_MM = (26.0, 22.0)
 
 @dataclass(frozen=True)
 class Scheme:
-    """The colours of the scene in one theme."""
+    """The colours of the scene in one theme.
+
+    Accent, mark and alarm are drawn on pale feet and insoles, and in white rims, as well as before
+    the background.
+    """
 
     bottom: str
     top: str
@@ -70,7 +74,7 @@ class Scheme:
     def of(cls, dark: bool) -> Scheme:
         """Return the light or the dark scheme."""
         if dark:
-            return cls("#24272b", "#3a3f45", "#e6e8ea", "#5aa9f2", "#ffb454", "#ff6b5e")
+            return cls("#24272b", "#3a3f45", "#e6e8ea", "#3a8ee0", "#d97000", "#f5503f")
         return cls("#dfe3e7", "#f7f8f9", "#33383d", "#1668b8", "#b35900", "#c22316")
 
 

@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QAbstractButton, QApplication, QCheckBox, QDockWidget, QLabel
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QCheckBox,
+    QDockWidget,
+    QFileDialog,
+    QLabel,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from insole_studio.app.theme import DARK, LIGHT, Colors, apply_theme
-from insole_studio.scene.painter import Scheme
+from insole_studio.scene.painter import MATERIAL, Scheme
 from insole_studio.widgets.side_switch import COLORS
 
 TEXT, GRAPHICS = 4.5, 3.0
@@ -79,13 +90,40 @@ def test_the_signs_of_a_panel_are_seen(
     qtbot.addWidget(dock)
     dock.resize(200, 100)
     dock.show()
-    button = dock.findChild(QAbstractButton, f"qt_dockwidget_{name}button")
+    seen = colors_of_sign(dock, f"qt_dockwidget_{name}button")
+    apply_theme(qapp, dark=False)
+    ground = (DARK if dark else LIGHT).raised
+    assert max(contrast(color, ground) for color in seen) >= GRAPHICS
+
+
+def colors_of_sign(window: QWidget, name: str) -> set[str]:
+    """What the picture of a button of Qt's has, its ground included."""
+    button = window.findChild(QAbstractButton, name)
     assert button is not None
     image = button.grab().toImage()
     places = [(x, y) for x in range(image.width()) for y in range(image.height())]
-    seen = {image.pixelColor(x, y).name() for x, y in places}
+    return {image.pixelColor(x, y).name() for x, y in places}
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("name", ["back", "forward", "toParent", "newFolder", "detailMode"])
+def test_the_signs_of_the_dialog_of_files_are_seen(
+    qapp: QApplication, qtbot: QtBot, tmp_path: Path, dark: bool, name: str
+) -> None:
+    """Where the system brings no dialog of its own."""
+    apply_theme(qapp, dark)
+    dialog = QFileDialog(None, "Open", str(tmp_path))
+    dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+    qtbot.addWidget(dialog)
+    for folder in (tmp_path.parent, tmp_path.parent.parent):  # so that there is a way back
+        dialog.setDirectory(str(folder))
+    dialog.show()
+    button = dialog.findChild(QToolButton, "backButton")
+    assert button is not None
+    button.click()  # and one forward
+    seen = colors_of_sign(dialog, f"{name}Button")
     apply_theme(qapp, dark=False)
-    ground = (DARK if dark else LIGHT).raised
+    ground = (DARK if dark else LIGHT).window
     assert max(contrast(color, ground) for color in seen) >= GRAPHICS
 
 
@@ -118,6 +156,14 @@ def test_what_is_drawn_in_the_views(scheme: Scheme) -> None:
         assert contrast(scheme.text, ground) >= TEXT
         for ink in (scheme.accent, scheme.mark, scheme.alarm):
             assert contrast(ink, ground) >= GRAPHICS
+
+
+@SCHEMES
+@pytest.mark.parametrize("ink", ["accent", "mark", "alarm"])
+def test_marks_are_seen_on_an_insole_and_in_their_rims(scheme: Scheme, ink: str) -> None:
+    """No colour is seen as well on the dark ground as on the material: this is most of both."""
+    assert contrast(getattr(scheme, ink), QColor(*MATERIAL).name()) >= 2.6
+    assert contrast(getattr(scheme, ink), "white") >= GRAPHICS
 
 
 def test_the_badges_of_the_sides() -> None:

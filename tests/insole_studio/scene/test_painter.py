@@ -54,7 +54,7 @@ def test_marks_and_words_follow_the_theme(painter: Painter, plotter: Any, make_f
     light = plotter.actors["selected"].prop.color
     painter.set_dark(True)
     dark = plotter.actors["selected"].prop.color
-    assert (light, dark) == (pv.Color("#1668b8"), pv.Color("#5aa9f2"))
+    assert (light, dark) == (pv.Color("#1668b8"), pv.Color("#3a8ee0"))
     after = pixels(plotter)
     assert after[5, 5].max() < 90
     assert (after.min(axis=2) > 200).any()  # light words
