@@ -73,13 +73,29 @@ def share_contexts() -> None:
 
     A panel that floats is a window of its own, and so is the one that it comes back to. Qt would
     give the view in it a new context each time, without what VTK has made in the one before.
-    That pyvistaqt sets the same format again, Qt remarks as a warning; it changes nothing.
     """
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
-    shared = QSurfaceFormat.defaultFormat()  # as the views will ask for: only such ones share
+    QSurfaceFormat.setDefaultFormat(_format_of_views())
+
+
+def _format_of_views() -> QSurfaceFormat:
+    """Return what the views of pyvistaqt ask for: only contexts of one format share."""
+    shared = QSurfaceFormat()
+    shared.setRenderableType(QSurfaceFormat.RenderableType.OpenGL)
     shared.setVersion(*LEAST_OPENGL)
     shared.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
-    QSurfaceFormat.setDefaultFormat(shared)
+    shared.setSwapBehavior(QSurfaceFormat.SwapBehavior.DoubleBuffer)
+    for set_bits in (
+        shared.setRedBufferSize,
+        shared.setGreenBufferSize,
+        shared.setBlueBufferSize,
+        shared.setAlphaBufferSize,
+        shared.setDepthBufferSize,
+    ):
+        set_bits(8)
+    shared.setStencilBufferSize(0)
+    shared.setSamples(0)
+    return shared
 
 
 def examine_graphics(platform: str) -> Graphics | None:

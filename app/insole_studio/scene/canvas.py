@@ -7,7 +7,14 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QGuiApplication, QImage, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import (
+    QGuiApplication,
+    QImage,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QSurfaceFormat,
+)
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 _GL_PLATFORMS = ("xcb", "windows", "cocoa")
@@ -57,13 +64,26 @@ class Canvas(QWidget):
             self.plotter = None
 
 
+class _DefaultFormat(QSurfaceFormat):
+    """Qt's format for pyvistaqt, whose views set the default one that the program has set before.
+
+    Of setting it again Qt warns, though it is the same.
+    """
+
+    @staticmethod
+    def setDefaultFormat(wanted: QSurfaceFormat | QSurfaceFormat.FormatOption) -> None:
+        if QSurfaceFormat.defaultFormat() != wanted:
+            QSurfaceFormat.setDefaultFormat(wanted)
+
+
 class WindowCanvas(Canvas):
     """Canvas in whose native window VTK draws."""
 
     def __init__(self, aim: Callable[[], None], parent: QWidget | None = None) -> None:
         super().__init__(aim, parent)
-        from pyvistaqt import QtInteractor
+        from pyvistaqt import QtInteractor, rwi
 
+        rwi.QSurfaceFormat = _DefaultFormat
         interactor = QtInteractor(self, auto_update=False, multi_samples=4)
         self.plotter = interactor
         self.surface = interactor

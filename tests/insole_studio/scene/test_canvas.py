@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from insole_studio.app.graphics import LEAST_OPENGL
 from insole_studio.scene.canvas import Canvas, make_canvas
 
 
@@ -67,3 +69,10 @@ def test_what_is_asked_for_is_drawn_once(canvas: Canvas, qtbot: QtBot) -> None:
         QApplication.processEvents()
     assert len(drawn) == 1
     assert shown_color(canvas) == QColor("blue")
+
+
+@pytest.mark.display
+def test_a_view_leaves_the_format_that_the_program_begins_with(canvas: Canvas, qtlog: Any) -> None:
+    """Set again, it would be told at each start in the terminal, as something that may go wrong."""
+    assert canvas.surface.format().version() >= LEAST_OPENGL
+    assert [record.message for record in qtlog.records if "format" in record.message] == []
