@@ -161,6 +161,7 @@ def _style_sheet(colors: Colors) -> str:
                    border-radius: 8px; }}
     QDockWidget::title {{ background: {colors.raised}; padding: 4px 8px; }}
     QMainWindow::separator {{ background: {colors.line}; width: 3px; height: 3px; }}
+    QMenu {{ menu-scrollable: 1; }}
     QStatusBar {{ border-top: 1px solid {colors.line}; }}
     QStatusBar::item {{ border: none; }}
     """
@@ -230,4 +231,7 @@ def _touch_sheet(colors: Colors) -> str:
     QLineEdit QToolButton {{ min-width: 0; min-height: 0; }}
     QLabel[form="true"] {{ min-height: 44px; }}
     QMenu::item, QMenuBar::item {{ padding: 12px 20px; }}
+    QMenu::icon, QMenu::indicator {{ left: 8px; }}
+    QMenu::separator {{ height: 1px; background: {colors.line}; }}
+    QMenu::scroller {{ height: 44px; }}
     """

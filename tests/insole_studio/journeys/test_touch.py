@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QLabel,
+    QMenu,
     QPushButton,
     QScrollArea,
     QToolBar,
@@ -95,6 +96,27 @@ def test_many_notices_leave_the_status_line_on_the_screen(
     opened.stage.notices.ensureWidgetVisible(last)
     QTest.mouseClick(last, Qt.MouseButton.LeftButton)
     assert [notice.key for notice in notices.notices] == ["0", "1", "2", "3", "4"]
+
+
+@pytest.mark.usefixtures("fingers")
+@pytest.mark.own_window
+def test_every_menu_is_one_column_on_the_screen(opened: Application, qtbot: QtBot) -> None:
+    """Long ones scroll: Qt would break them into columns."""
+    menus = [menu for menu in opened.window.menuBar().findChildren(QMenu) if menu.actions()]
+    assert len(menus) > 5
+    scrolled = 0
+    for menu in menus:
+        menu.popup(QPoint(0, 0))
+        qtbot.waitExposed(menu)
+        room = menu.screen().availableGeometry()
+        shown = [action for action in menu.actions() if action.isVisible()]
+        assert len({menu.actionGeometry(action).left() for action in shown}) == 1
+        assert menu.height() <= room.height()
+        scrolled += menu.actionGeometry(shown[-1]).bottom() > menu.height()
+        menu.setActiveAction(shown[-1])
+        assert menu.rect().contains(menu.actionGeometry(shown[-1]))
+        menu.close()
+    assert scrolled >= 1
 
 
 def labelled_tools(application: Application) -> list[str]:
