@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import (
     QGuiApplication,
     QImage,
@@ -91,11 +91,17 @@ class WindowCanvas(Canvas):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(interactor)
         self.setFocusProxy(interactor)
+        interactor.installEventFilter(self)
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Aim before whatever is drawn: Qt also asks for it by itself, as soon as it is shown."""
+        if event.type() == QEvent.Type.Paint and self.plotter is not None:
+            self.aim()
+        return False
 
     def render_now(self) -> None:
         """Draw immediately."""
         if self.plotter is not None and self.isVisible():
-            self.aim()
             QWidget.update(self.surface)  # draws: what was drawn before would be drawn twice
 
     def picture(self) -> QImage:

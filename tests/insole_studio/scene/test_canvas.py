@@ -76,3 +76,24 @@ def test_a_view_leaves_the_format_that_the_program_begins_with(canvas: Canvas, q
     """Set again, it would be told at each start in the terminal, as something that may go wrong."""
     assert canvas.surface.format().version() >= LEAST_OPENGL
     assert [record.message for record in qtlog.records if "format" in record.message] == []
+
+
+@pytest.mark.display
+def test_what_nobody_asked_for_is_aimed_too(qtbot: QtBot) -> None:
+    """The first picture of an insole was taken from within it: its colour all over the view."""
+    aimed: list[int] = []
+    canvas = make_canvas(lambda: aimed.append(1))
+    try:
+        drawn: list[int] = []
+        canvas.plotter.renderer.AddObserver("EndEvent", lambda *_: drawn.append(len(aimed)))
+        canvas.resize(60, 40)
+        canvas.show()
+        qtbot.waitUntil(lambda: len(drawn) > 0)
+        assert min(drawn) > 0
+        last, count = drawn[-1], len(drawn)
+        canvas.request_render()
+        qtbot.waitUntil(lambda: len(drawn) > count)
+        assert drawn[count] == last + 1, "once for a picture"
+    finally:
+        canvas.close_plotter()
+        canvas.deleteLater()
