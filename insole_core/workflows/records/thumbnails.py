@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.compare.seen_surface import grid_over, height_map
+from insole_core.errors import DesignError
 from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.progress import SILENT, Progress
@@ -34,11 +35,12 @@ class Thumbnails:
     Parameters
     ----------
     foot, insole : (h, w, 4) uint8
-        Red, green, blue, opacity; 2 mm a pixel. The foot is seen from below, the insole from above.
+        Red, green, blue, opacity; 2 mm a pixel. The foot is seen from below, the insole from above;
+        None where it cannot be built.
     """
 
     foot: Rgba
-    insole: Rgba
+    insole: Rgba | None
 
 
 def thumbnails(foot: FootRecord, progress: Progress = SILENT) -> Thumbnails:
@@ -46,12 +48,13 @@ def thumbnails(foot: FootRecord, progress: Progress = SILENT) -> Thumbnails:
 
     Raises
     ------
-    DesignError
-        When the insole cannot be built.
     Cancelled
     """
     sole = _picture(foot.foot.mesh, from_above=False, color=_SKIN)
-    _insole, solid = InsoleBuilder().solid(foot.foot, foot.design, progress)
+    try:
+        _insole, solid = InsoleBuilder().solid(foot.foot, foot.design, progress)
+    except DesignError:
+        return Thumbnails(sole, None)
     return Thumbnails(sole, _picture(solid, from_above=True, color=_MATERIAL))
 
 

@@ -70,9 +70,10 @@ class VisitCard(QFrame):
         self._lay_out()
 
     def show_picture(self, key: PictureKey, image: QImage) -> None:
-        """Show a small picture in place of its placeholder."""
+        """Show a small picture in place of its placeholder; an empty one takes that away."""
         label = self._pictures.get(key)
         if label is not None:
+            label.setVisible(not image.isNull())
             shown = QPixmap.fromImage(image).scaled(
                 PICTURE_PX * label.devicePixelRatio(),
                 Qt.AspectRatioMode.KeepAspectRatio,
@@ -215,7 +216,8 @@ class VisitPictures:
             return thumbnails(records.prescriptions.read(version.id))
 
         def made(pictures: Thumbnails) -> None:
-            images = _image(pictures.foot), _image(pictures.insole)
+            insole = QImage() if pictures.insole is None else _image(pictures.insole)
+            images = _image(pictures.foot), insole
             self._made[_Version(version.id, version.revision)] = images
             while len(self._made) > _KEPT:
                 self._made.popitem(last=False)
@@ -225,7 +227,8 @@ class VisitPictures:
         def missed(error: Exception) -> None:
             if not isinstance(error, InsoleError):
                 raise error
-            self._make_next()  # its place stays empty
+            self._put(version, (QImage(), QImage()))
+            self._make_next()
 
         self._clinic.ask(CHANNEL, make, made, missed)
 

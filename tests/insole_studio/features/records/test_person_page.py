@@ -258,6 +258,25 @@ def test_a_visit_shows_pictures_of_foot_and_insole(
     qtbot.waitUntil(lambda: all(not label.pixmap().isNull() for label in labels.values()))
 
 
+@pytest.mark.drawn
+def test_an_insole_that_cannot_be_built_leaves_no_empty_picture(
+    clinic: Application, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    opened = records.visits.open_case(visit.id)
+    foot = opened.record.feet[0]
+    lifts = tuple(HeelLift(height_mm=20.0) for _ in range(5))
+    prescribed = replace(foot.design, corrections=lifts)
+    records.prescriptions.save(visit.id, foot.with_design(prescribed), opened.bases[Side.LEFT])
+    clinic.features.records.show_person(visit.person_id)
+    shown = clinic.features.records.person
+    assert shown is not None
+    qtbot.waitUntil(lambda: list(shown.cards) == [visit.id])
+    labels = {key.kind: label for key, label in shown.cards[visit.id]._pictures.items()}
+    qtbot.waitUntil(lambda: not labels["foot"].pixmap().isNull())
+    assert labels["foot"].isVisible()
+    assert not labels["insole"].isVisible()
+
+
 def test_a_visit_is_opened_from_its_card(
     clinic: Application, page: PersonPage, visit: Visit, qtbot: QtBot
 ) -> None:
