@@ -9,7 +9,6 @@ from functools import cache
 
 import numpy as np
 import numpy.typing as npt
-import scipy
 
 from insole_core.contact.change import MOST_SHOWN, Change, Shown
 from insole_core.contact.stance import Sole
@@ -227,9 +226,9 @@ class LoadedVertices:
         Those vertices at which something can press.
     nearest : (p,) int64
         Node of the grid next to each of these vertices.
-    shares : (p, ny * nx) float64
-        Of the nodes in what each of these vertices shows.
-    colors : (4, p) int64
+    nodes, shares : (p, 4) int64, float64
+        Nodes about each of these vertices, and their shares in what it shows.
+    colors : (4 * p,) int16
         For each `Shown`, which of `_load_colors` these vertices have.
     """
 
@@ -237,8 +236,9 @@ class LoadedVertices:
     xy: FloatArray
     can_press: IntArray
     nearest: IntArray
-    shares: scipy.sparse.csr_array
-    colors: IntArray
+    nodes: IntArray
+    shares: FloatArray
+    colors: npt.NDArray[np.int16]
 
     @classmethod
     def of(cls, sole: Sole, vertices: FloatArray, where: BoolArray) -> LoadedVertices:
@@ -246,14 +246,14 @@ class LoadedVertices:
         xy = vertices[:, :2].copy()
         shares = sole.field.weights_at(xy)
         (can_press,) = np.nonzero(where & np.isfinite(shares.data.reshape(-1, 4)[:, 0]))
-        shares = shares[can_press]
-        weights, nodes = shares.data.reshape(-1, 4), shares.indices.reshape(-1, 4)
-        nearest = nodes[np.arange(len(nodes)), weights.argmax(axis=1)].astype(np.int64)
+        weights = shares.data.reshape(-1, 4)[can_press]
+        nodes = shares.indices.reshape(-1, 4)[can_press].astype(np.int64)
+        nearest = nodes[np.arange(len(nodes)), weights.argmax(axis=1)]
         x, y = xy[can_press].T
-        colors = np.tile(_FIRST[:, None], len(can_press))
-        colors[Shown.NEWLY] += (y // _STRIPE_MM % 2).astype(np.int64)
-        colors[Shown.UNTOLD] += ((x + y) // (_SLANTED * _STRIPE_MM) % 2).astype(np.int64)
-        return cls(sole, xy, can_press, nearest, shares, colors)
+        colors = np.tile(_FIRST[:, None], len(can_press)).astype(np.int16)
+        colors[Shown.NEWLY] += (y // _STRIPE_MM % 2).astype(np.int16)
+        colors[Shown.UNTOLD] += ((x + y) // (_SLANTED * _STRIPE_MM) % 2).astype(np.int16)
+        return cls(sole, xy, can_press, nearest, nodes, weights, colors.ravel())
 
     def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
         """Return whether vertices (n, 3) of the same surface still lie there."""
@@ -268,20 +268,15 @@ class LoadedVertices:
             Names of the regions of which nothing can be told.
         """
         shown = change.shown(untold).take(self.nearest)
-        percent = change.percent.ravel()
-        at = self.shares @ percent
-        (lacks,) = np.nonzero(np.isnan(at))  # beside what has no figure
-        at[lacks] = percent.take(self.nearest[lacks])
-        (others,) = np.nonzero(shown != Shown.PERCENT)
-        at[others] = 0.0
+        colors = self.colors.take(shown * len(shown) + np.arange(len(shown)))
+        (known,) = np.nonzero(shown == Shown.PERCENT)
+        at = self._percent(change, known)
         steps = (np.clip(at, -MOST_SHOWN, MOST_SHOWN) + MOST_SHOWN) * _STEPS_A_PERCENT
-        colors = np.rint(steps).astype(np.int64)
-        colors[others] = self.colors[shown[others], others]
-        at[others] = np.nan
+        colors[known] = np.rint(steps)
         of_all = np.full(len(self.xy), _FIRST[Shown.IDLE])
         of_all[self.can_press] = colors
         values = np.full(len(self.xy), np.nan)
-        values[self.can_press] = at
+        values[self.can_press[known]] = at
         return Coloring(
             values,
             (-MOST_SHOWN, MOST_SHOWN),
@@ -292,6 +287,15 @@ class LoadedVertices:
             painted=_load_colors().take(of_all, axis=0),
             swatches=tuple(_load_swatches().values()),
         )
+
+
+    def _percent(self, change: Change, which: IntArray) -> FloatArray:
+        """(n,) change at some of the vertices that can be pressed, whose nearest nodes have one."""
+        percent = change.percent.ravel()
+        about = percent.take(self.nodes.take(which, axis=0))
+        at = np.einsum("ij,ij->i", about, self.shares.take(which, axis=0))
+        nearest = percent.take(self.nearest.take(which))
+        return np.where(np.isnan(at), nearest, at)  # beside what has no figure
 
 
 @cache
