@@ -220,7 +220,7 @@ class _Hand:
         assert self._app.case.record.design != before, "the pad was not dragged"
 
     def _note_map(self) -> None:
-        if self._app.stage.load.change is not None:
+        if self._app.stage.load.change is not None and np.isnan(self._made_s):
             self._made_s = time.perf_counter()
 
     def _begin_to_draw(self, *_: object) -> None:

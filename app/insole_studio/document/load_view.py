@@ -155,6 +155,14 @@ class _Task:
     def new_ground(self) -> Ground:
         return self.shoe.insole(self.sole, self.design, self.contact)
 
+    def is_drawn_after(self, other: _Task) -> bool:
+        """Return whether a design is being drawn, and another task is of the step before.
+
+        Also where the hand comes back to where it began: the design at rest is drawn there too.
+        """
+        is_drawn = not self.is_at_rest or (not other.is_at_rest and self.design != other.design)
+        return is_drawn and self.asks_as(other)
+
     def asks_as(self, other: _Task) -> bool:
         """Return whether another task differs by no more than the design that is drawn."""
         return (
@@ -334,9 +342,11 @@ class LoadView(QObject):
         found = self._found
         if task is None:
             return
-        if found is not None and not task.is_at_rest and found.task.asks_as(task):
+        if found is not None and task.is_drawn_after(found.task):
             self._follow(found, task)
-        elif self._is_computing:
+            if not task.is_at_rest:
+                return
+        if self._is_computing:
             self._is_late = True
         else:
             self._start(task)

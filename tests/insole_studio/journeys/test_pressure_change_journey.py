@@ -114,6 +114,10 @@ def test_the_change_is_read_of_first_then_asked_then_follows_the_hand(
         for one in (before, load.change)
     ]
     assert pressed[1] > pressed[0]
+    drawn = load.change
+    app.case.preview(app.case.record.design)  # the hand comes back to where it began
+    assert load.change is not drawn
+    assert np.abs(load.change.new_kpa - before.new_kpa).max() < 0.1 * before.new_kpa.max()
     app.case.end_preview()
     settle()
     assert load.limits is not None
