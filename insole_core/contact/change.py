@@ -323,9 +323,7 @@ class Change:
         if pushes and name in _AT_PUSH_OFF:
             return _AT_PUSH_OFF[name]
         if name in _AT_HEADS and (
-            pushes
-            or self._heads_are_raised
-            or self._unevenly_raised_mm(name) > _UNEVEN_MM
+            pushes or self._heads_are_raised or self._unevenly_raised_mm(name) > _UNEVEN_MM
         ):
             return _NOT_MET
         return _NONE

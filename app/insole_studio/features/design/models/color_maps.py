@@ -288,7 +288,6 @@ class LoadedVertices:
             swatches=tuple(_load_swatches().values()),
         )
 
-
     def _percent(self, change: Change, which: IntArray) -> FloatArray:
         """(n,) change at some of the vertices that can be pressed, whose nearest nodes have one."""
         percent = change.percent.ravel()
