@@ -761,16 +761,13 @@ class ExportPresenter:
         """Show why the order cannot be made."""
         self._problem = str(error)
         self._take(())
-        self._show_failure(error)
-
-    def _fail(self, error: Exception) -> None:
-        """Show that nothing was written, and why, where it cannot be overlooked."""
-        self._show_failure(error)
-        self._asker.tell(error)
-
-    def _show_failure(self, error: Exception) -> None:
         sentence = tr("Something unexpected happened; nothing was written. Please report it.")
         self._panel.show_error(str(error) if isinstance(error, InsoleError) else sentence)
+        self._show_buttons()
+
+    def _fail(self, error: Exception) -> None:
+        """Tell once why nothing was written, where it cannot be overlooked."""
+        self._asker.tell(error)
         self._show_buttons()
 
     def _show_progress(self, news: JobProgress) -> None:

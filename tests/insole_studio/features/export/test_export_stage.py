@@ -412,7 +412,9 @@ def test_an_export_does_not_take_the_place_of_the_scan(
     chosen.answer, chosen.replace = tmp_path / "scan.stl", True
     stage.view.export.click()
     settle()
-    assert "is read to make the result" in stage.view.error.text()
+    (told,) = chosen.told
+    assert "is read to make the result" in str(told)
+    assert stage.view.error.text() == ""
     assert scan.read_text() == "of the patient"
 
 
@@ -547,7 +549,9 @@ def test_place_that_cannot_be_written(
     chosen.answer = tmp_path / "none" / "anna.stl"
     stage.view.export.click()
     settle()
-    assert "its folder does not exist" in stage.view.error.text()
+    (told,) = chosen.told
+    assert "its folder does not exist" in str(told)
+    assert stage.view.error.text() == ""
     assert stage.view.export.isEnabled()
 
 
