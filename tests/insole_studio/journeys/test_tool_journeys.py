@@ -202,6 +202,22 @@ def test_a_landmark_is_dragged(opened: Application, foot: SceneView) -> None:
     assert len(opened.case.history) == 1
 
 
+def test_a_landmark_dragged_off_the_foot_stays_where_and_as_sure_as_it_was(
+    opened: Application, foot: SceneView
+) -> None:
+    act(opened, "tool_key_point")
+    name = "metatarsal_head_1"
+    place = shown_points(opened.case)[name]
+    start, beside = pixel(foot, *place), QPoint(2, foot.height() // 2)
+    drag(foot, start, beside)
+    assert len(opened.case.history) == 0
+    assert shown_points(opened.case)[name] == place
+    assert confidence(opened.case, name) < 1.0
+    drag(foot, start, start + QPoint(4, -4), beside)  # over skin: it stays at the last of it
+    assert len(opened.case.history) == 1
+    assert shown_points(opened.case)[name] != place
+
+
 def test_landmarks_are_confirmed_and_found_anew(opened: Application) -> None:
     act(opened, "confirm_landmarks")
     assert confidence(opened.case, "heel_centre") == 1.0
