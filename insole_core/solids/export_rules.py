@@ -19,7 +19,7 @@ Policy: TypeAlias = Literal["blocking", "warning", "off"]
 CheckName: TypeAlias = Literal[
     "watertight", "thickness", "cutter", "undercut", "step", "block", "shoe_height", "grid"
 ]
-_LEAST_CUTTER_MM, _GREATEST_CUTTER_MM = 1.0, 40.0
+LEAST_CUTTER_MM, GREATEST_CUTTER_MM = 1.0, 40.0
 _GREATEST = 1000
 CHECK_NAMES: tuple[CheckName, ...] = get_args(CheckName)
 _WITHOUT_LIMIT = ("watertight", "block")
@@ -79,13 +79,13 @@ class ExportRules:
         InputError
             If the diameter is out of range.
         """
-        if not _LEAST_CUTTER_MM <= diameter_mm <= _GREATEST_CUTTER_MM:
+        if not LEAST_CUTTER_MM <= diameter_mm <= GREATEST_CUTTER_MM:
             raise InputError(
                 "A cutter of {diameter_mm:g} mm is asked for, and must be {least_mm:g} to "
                 "{most_mm:g} mm; give another diameter.",
                 diameter_mm=diameter_mm,
-                least_mm=_LEAST_CUTTER_MM,
-                most_mm=_GREATEST_CUTTER_MM,
+                least_mm=LEAST_CUTTER_MM,
+                most_mm=GREATEST_CUTTER_MM,
             )
         return replace(self, cutter_diameter_mm=diameter_mm)
 

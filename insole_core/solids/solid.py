@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 import numpy as np
 
@@ -36,6 +36,12 @@ from insole_core.solids.trimmed_grid import Plan, trim
 
 Kind: TypeAlias = Literal["insole", "block", "positive"]
 KINDS: tuple[Kind, ...] = ("insole", "block", "positive")
+LIMITS: Final[dict[str, tuple[int, int, str]]] = {
+    "draft_deg": (-15, 30, "degrees"),
+    "chamfer_mm": (0, 10, "mm"),
+    "mould_base_mm": (1, 100, "mm"),
+}
+"""Least and greatest value of each of the `SolidOptions`, and its unit."""
 
 
 @dataclass(frozen=True)
@@ -58,12 +64,7 @@ class SolidOptions:
     mould_base_mm: float = 15.0
 
     def __post_init__(self) -> None:
-        limits = {
-            "draft_deg": (-15, 30, "degrees"),
-            "chamfer_mm": (0, 10, "mm"),
-            "mould_base_mm": (1, 100, "mm"),
-        }
-        for key, (least, greatest, unit) in limits.items():
+        for key, (least, greatest, unit) in LIMITS.items():
             value = getattr(self, key)
             if not least <= value <= greatest:
                 raise DesignError(

@@ -11,7 +11,7 @@ from datetime import date
 from typing import NoReturn, Protocol
 
 from insole_core.cases.written_dates import read_date
-from insole_core.errors import InputError
+from insole_core.errors import InputError, UsageError
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 
@@ -122,6 +122,18 @@ def from_one(text: str) -> int:
     if value < 1:
         raise argparse.ArgumentTypeError(f"{_cut(text)} is less than 1")
     return value
+
+
+def check_within(option: str, value: float, least: float, most: float, unit: str) -> None:
+    """Check a value whose limits are told by what is made of it, before anything is read.
+
+    Raises
+    ------
+    UsageError
+        When it is out of range.
+    """
+    if not least <= value <= most:
+        raise UsageError(f"{option} is {value:g}, and must be {least:g} to {most:g} {unit}.")
 
 
 def _cut(text: str) -> str:

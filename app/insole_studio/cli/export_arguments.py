@@ -14,7 +14,7 @@ from insole_core.formats.file_formats import can_carry, carriers
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli import devices, print_arguments
-from insole_studio.cli.argument_parser import from_one, number
+from insole_studio.cli.argument_parser import check_within, from_one, number
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -137,12 +137,23 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
     """Open every output file before the work begins; if the work fails, none is kept."""
     from insole_core.solids.export_job import outputs as open_places
 
+    _check_sizes(arguments)
     if arguments.layers and not can_carry(arguments.out.suffix, "bodies"):
         raise UsageError(f"--layers needs {_LAYERED}, and --out is {arguments.out}; change one.")
     if (arguments.gcode, arguments.setup_sheet, arguments.pin_holes) != (None, None, None):
         _check_milling(arguments)
     print_arguments.check(arguments)
     return open_places(places(arguments))
+
+
+def _check_sizes(arguments: argparse.Namespace) -> None:
+    from insole_core.solids.export_rules import GREATEST_CUTTER_MM, LEAST_CUTTER_MM
+    from insole_core.solids.solid import LIMITS
+
+    check_within("--draft", arguments.draft, *LIMITS["draft_deg"])
+    check_within("--chamfer", arguments.chamfer, *LIMITS["chamfer_mm"])
+    if arguments.cutter is not None:
+        check_within("--cutter", arguments.cutter, LEAST_CUTTER_MM, GREATEST_CUTTER_MM, "mm")
 
 
 def _check_milling(arguments: argparse.Namespace) -> None:

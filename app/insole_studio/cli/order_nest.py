@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
-from insole_studio.cli.argument_parser import Step, number
+from insole_studio.cli.argument_parser import Step, check_within, number
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.arguments import add_language, wording_of
 
@@ -70,6 +70,8 @@ def _run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.workflows.overwriting import check_overwriting
 
     check_solid_suffix(arguments.out, "the nest")
+    check_within("--gap", arguments.gap, 0, nest_orders.MOST_GAP_MM, "mm")
+    check_within("--margin", arguments.margin, 0, nest_orders.MOST_GAP_MM, "mm")
     milling = _milling(arguments)
     block = _block(arguments)
     check_overwriting(nest_orders.places_of_nest(arguments.out, milling).values(), arguments.orders)

@@ -283,6 +283,12 @@ def test_prescription_names_every_number_and_its_author():
     assert line.endswith("(A. Berg 2026-11-20)")
 
 
+@pytest.mark.parametrize("diameter_mm", [0.0, 41.0])
+def test_a_cutter_that_no_router_has_is_refused(diameter_mm: float) -> None:
+    with pytest.raises(InputError, match=f"cutter of {diameter_mm:g} mm .* must be 1 to 40 mm"):
+        read_rules().with_cutter(diameter_mm)
+
+
 def test_rules_survive_writing(tmp_path: Path):
     rules = read_rules().with_rule("step", "blocking", 3.0).with_rule("watertight", "warning")
     write_rules(rules, tmp_path / "rules.json")

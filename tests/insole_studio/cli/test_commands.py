@@ -221,6 +221,16 @@ def test_wrong_arguments_name_a_remedy(
     assert len(said) < 500
 
 
+@pytest.mark.parametrize("option", ["--gap", "--margin"])
+@pytest.mark.parametrize("value", ["-1", "101"])
+def test_a_nest_with_impossible_distances_is_a_wrong_call(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str, value: str
+) -> None:
+    call = ["order", "nest", str(tmp_path / "none.zip"), "--size", "1000x600x30"]
+    assert run([*call, "--out", str(tmp_path / "n.3mf"), option, value]) == 2
+    assert last_line(capsys) == f"{option} is {value}, and must be 0 to 100 mm."
+
+
 FAILURES = {
     "no such session": (["reconstruct", "{tmp}/none", "--out", "{tmp}/f.ply"], "does not exist"),
     "mesh for a session": (["reconstruct", "{foot}", "--out", "{tmp}/f.ply"], "not a readable zip"),
