@@ -39,8 +39,11 @@ class CannedQuestions:
         self.asked.append("unsaved")
         return self.unsaved
 
-    def about_same_side(self, _side: Side) -> SameSide:
-        self.asked.append("same side")
+    def use_unfinished(self, sentence: str) -> bool:
+        return self.open_anyway(sentence)
+
+    def about_same_side(self, _side: Side, order: str = "") -> SameSide:
+        self.asked.append(f"same side {order}".strip())
         return self.same_side
 
     def about_case_in_use(self, sentence: str) -> InUse:

@@ -119,7 +119,7 @@ class MainController(QObject):
         capture.captured.connect(opener.open_path)
         capture.captured_for.connect(features.records.captures.store)
         features.records.captures.fetched.connect(opener.open_path)
-        foot.foot_made.connect(opener.take_scan)
+        foot.foot_made.connect(lambda scanned: opener.take_scan(scanned, foot.shown_stage))
         foot.closed.connect(capture.hand_on, Qt.ConnectionType.QueuedConnection)
         foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)
         foot.unreadable.connect(self._services.messages.show_error)

@@ -82,6 +82,10 @@ class _AnsweredQuestions(Questions):
         """Return whether to continue."""
         return self.answers.anyway
 
+    def use_unfinished(self, _sentence: str) -> bool:
+        """Return whether to use a capture that lacks views."""
+        return self.answers.anyway
+
     def make_alone(self, _sentence: str, _side: Side) -> bool:
         """Return whether to make one foot of two."""
         return self.answers.anyway
@@ -90,7 +94,7 @@ class _AnsweredQuestions(Questions):
         """Return what to do with unsaved work."""
         return self.answers.unsaved
 
-    def about_same_side(self, _side: Side) -> SameSide:
+    def about_same_side(self, _side: Side, _order: str = "") -> SameSide:
         """Return what to do with a second scan of the same side."""
         return self.answers.same_side
 

@@ -109,6 +109,19 @@ class Questions:
         ]
         return self._choose(sentence, choices, default=False)
 
+    def use_unfinished(self, sentence: str) -> bool:
+        """Ask whether to use a capture that lacks some of its views."""
+        choices = [
+            _Choice(tr("Use what is there"), True, _ACCEPT),
+            _Choice(tr("Go on capturing"), False, _REJECT),
+        ]
+        return self._choose(
+            sentence,
+            choices,
+            default=False,
+            details=tr("A foot that is not seen from all sides is cut, or too short."),
+        )
+
     def make_alone(self, sentence: str, side: Side) -> bool:
         """Ask whether to make one foot of two, since the other one cannot be made."""
         make = {
@@ -131,8 +144,14 @@ class Questions:
         sentence = tr("{name} has changes that are not saved.").format(name=name)
         return self._choose(sentence, choices, default=Answer.SAVE)
 
-    def about_same_side(self, side: Side) -> SameSide:
-        """Ask what to do with a second scan of the same foot."""
+    def about_same_side(self, side: Side, order: str = "") -> SameSide:
+        """Ask what to do with a second scan of the same foot.
+
+        Parameters
+        ----------
+        order
+            Number of the order that the case was exported as, which is not to be left by chance.
+        """
         sentence = {
             Side.LEFT: tr("The case has a left foot already."),
             Side.RIGHT: tr("The case has a right foot already."),
@@ -142,11 +161,14 @@ class Questions:
             _Choice(tr("Begin a new case"), SameSide.NEW_CASE, _ACT),
             _Choice(tr("Do not open"), SameSide.CANCEL, _REJECT),
         ]
+        details = [tr("With the new scan in its place, the design can be repeated in one click.")]
+        if order:
+            details.insert(0, tr("The case was exported as order {number}.").format(number=order))
         return self._choose(
             sentence[side],
             choices,
-            default=SameSide.REPLACE,
-            details=tr("With the new scan in its place, the design can be repeated in one click."),
+            default=SameSide.CANCEL if order else SameSide.REPLACE,
+            details=" ".join(details),
         )
 
     def about_case_in_use(self, sentence: str) -> InUse:

@@ -8,6 +8,10 @@
             <translation>En avbildning som inte hade använts på {days} dagar togs bort.</translation>
         </message>
         <message>
+            <source>A foot that is not seen from all sides is cut, or too short.</source>
+            <translation>En fot som inte syns från alla sidor är kapad eller för kort.</translation>
+        </message>
+        <message>
             <source>All views in order; a sensor is moved to those that have none</source>
             <translation>Alla vyer i ordning; en sensor flyttas till dem som saknar en</translation>
         </message>
@@ -38,6 +42,10 @@
         <message>
             <source>Discard it</source>
             <translation>Kasta den</translation>
+        </message>
+        <message>
+            <source>Go on capturing</source>
+            <translation>Fortsätt avbilda</translation>
         </message>
         <message>
             <source>Go on with it</source>
@@ -152,6 +160,10 @@
             <translation>För nära: {found:.0f} mm, minst {wanted:.0f} mm är bra</translation>
         </message>
         <message>
+            <source>Use what is there</source>
+            <translation>Använd det som finns</translation>
+        </message>
+        <message>
             <source>Views</source>
             <translation>Vyer</translation>
         </message>
@@ -186,6 +198,10 @@
         <message>
             <source>{found:.0f} of {wanted:.0f} markers are hidden</source>
             <translation>{found:.0f} av {wanted:.0f} markörer är skymda</translation>
+        </message>
+        <message>
+            <source>{there} of {wanted} views are there.</source>
+            <translation>{there} av {wanted} vyer finns.</translation>
         </message>
     </context>
 </TS>

@@ -232,6 +232,10 @@
             <translation>Fallet har bara en fot; öppna den andras skanning så läggs den till.</translation>
         </message>
         <message>
+            <source>The case was exported as order {number}.</source>
+            <translation>Fallet exporterades som beställning {number}.</translation>
+        </message>
+        <message>
             <source>The difference in per cent of the mean of both</source>
             <translation>Skillnaden i procent av bådas medelvärde</translation>
         </message>

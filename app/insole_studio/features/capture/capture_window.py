@@ -61,11 +61,13 @@ class CaptureWindow(StageWindow["CaptureStage"]):
 
         # Emulated sensors take the views of their recording.
         emulated = self._source.emulate is not None
+        questions = self._services.messages.questions
         return CaptureStage(
             source=self._source,
             assignment=() if emulated else self._remembered_views(),
             folder=self._services.paths.data_folder,
             remember=(lambda _assignment: None) if emulated else self._remember_views,
+            ask=lambda stage, sentence: questions.on(stage).use_unfinished(sentence),
         )
 
     def connect_stage(self, stage: CaptureStage) -> None:

@@ -121,6 +121,8 @@ class CapturePresenter:
         Called with the path of each finished session.
     finished
         Called when no further capture follows.
+    ask
+        Asks whether to use a scan that lacks some of its views.
     """
 
     def __init__(
@@ -136,6 +138,7 @@ class CapturePresenter:
         remember: Callable[[Sequence[tuple[str, str]]], None],
         kept: Callable[[Path], None],
         finished: Callable[[], object],
+        ask: Callable[[str], bool],
     ) -> None:
         self._panel = panel
         self._service = service
@@ -146,6 +149,7 @@ class CapturePresenter:
         self._remember = remember
         self._kept = kept
         self._finish = finished
+        self._ask = ask
         self._sensors = Sensors(())
         self._tuned: History[tuple[str, Tuning]] = History()
         """What was set of the sensors, by their serial numbers."""
@@ -453,6 +457,8 @@ class CapturePresenter:
         scan = self._scan
         if scan is None or not scan.finished or self._is_busy:
             return
+        if not scan.is_whole and not self._ask(_counted(scan)):
+            return
         draft, order, condition = scan.folder, scan.order, self._condition
         path = self._folder / "sessions" / draft.name
 
@@ -567,6 +573,8 @@ class CapturePresenter:
 
     def _status_sentence(self) -> str:
         parts = [] if self._status is None else [_describe(self._status, self._views)]
+        if self._scan is not None and self._finished and not (self.is_capturing or self._is_whole):
+            parts.append(_counted(self._scan))
         if parts and self._is_earlier_back:
             parts.append(tr("The earlier scan is kept."))
         if self._sensors.states and self._sensors.problem and not self.is_capturing:
@@ -585,6 +593,13 @@ class CapturePresenter:
     @property
     def _is_whole(self) -> bool:
         return self._scan is not None and self._scan.is_whole
+
+
+def _counted(scan: Scan) -> str:
+    """Return the text that tells how many of its views a scan has."""
+    there = len(set(scan.order) & set(scan.finished))
+    text = tr("{there} of {wanted} views are there.")
+    return text.format(there=there, wanted=len(scan.order))
 
 
 def _ended(count: int) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QWidget
 
 from insole_studio.acquisition.capture_plan import PlanRequest
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -36,6 +37,8 @@ class CaptureStage(StageFrame):
         For drafts and finished sessions.
     remember
         Called with each new assignment.
+    ask
+        Asks, on this window, whether to use a scan that lacks some of its views.
 
     Raises
     ------
@@ -54,6 +57,7 @@ class CaptureStage(StageFrame):
         assignment: Sequence[tuple[str, str]],
         folder: Path,
         remember: Callable[[Sequence[tuple[str, str]]], None],
+        ask: Callable[[QWidget, str], bool],
     ) -> None:
         super().__init__()
         setup = source.setup()
@@ -74,6 +78,7 @@ class CaptureStage(StageFrame):
             remember=remember,
             kept=self.kept.emit,
             finished=self.close,
+            ask=lambda sentence: ask(self, sentence),
         )
         self._timer = QTimer(self)
         self._timer.setInterval(_TICK_MS)

@@ -6,6 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from PySide6.QtWidgets import QWidget
+
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import InsoleError
@@ -112,8 +114,14 @@ class OpenActions:
 
         self._saver.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
 
-    def take_scan(self, scanned: ScannedFoot) -> None:
-        """Add a foot to the case; one reconstructed from the same scan keeps its design."""
+    def take_scan(self, scanned: ScannedFoot, over: QWidget | None = None) -> None:
+        """Add a foot to the case; one reconstructed from the same scan keeps its design.
+
+        Parameters
+        ----------
+        over
+            The window that the foot comes from; by default the main one.
+        """
         self._recent.remember(Path(scanned.source.path))
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and _is_same_scan(before, scanned):
@@ -121,7 +129,7 @@ class OpenActions:
             self._tell(scanned)
             self._case.apply(again, tr("Reconstruct the foot again"))
         else:
-            self._put_on_bench(scanned)
+            self._put_on_bench(scanned, over)
 
     def _tell(self, scanned: ScannedFoot) -> None:
         """Show how the scan was read; texts too long for the status bar become a notice."""
@@ -188,7 +196,7 @@ class OpenActions:
 
         self._import_scan(path, side, CHANNEL, opened)
 
-    def _put_on_bench(self, scanned: ScannedFoot) -> None:
+    def _put_on_bench(self, scanned: ScannedFoot, over: QWidget | None) -> None:
         """Add a foot to the case; one of the same side is replaced, or kept in the old case."""
         foot = self._begun(scanned)
         record = self._case.record
@@ -202,8 +210,11 @@ class OpenActions:
             self._case.apply(foot, _sentence_of_adding(foot.side))
             return
         answer, starting = SameSide.REPLACE, starting_device(self._services.paths.settings_folder)
-        if not _is_untouched(before, starting):
-            answer = self._messages.questions.about_same_side(foot.side)
+        # A capture was seen by nobody yet, as a scan was in the dialog that imports it.
+        is_unseen, order = scanned.source.kind == "session", record.order.number
+        if is_unseen or order or not _is_untouched(before, starting):
+            questions = self._messages.questions.on(over or self._services.window)
+            answer = questions.about_same_side(foot.side, order)
         if answer is SameSide.REPLACE:
             foot = replace(foot, earlier=last_design(before, starting))
             self._tell(scanned)

@@ -29,6 +29,11 @@ class FootWindow(StageWindow["FootStage"]):
         super().__init__(services.window)
         self._services = services
 
+    @property
+    def shown_stage(self) -> FootStage | None:
+        """The stage, unless it is hidden while the foot is still being made."""
+        return self.stage if self.stage is not None and self.stage.isVisible() else None
+
     def open_session(self, path: Path, hand_over: bool = True) -> None:
         """Show the stage with a session; one that is already open is kept.
 

@@ -91,7 +91,13 @@ def open_stage(
 
     def build() -> CaptureStage:
         source = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
-        stage = CaptureStage(source=source, assignment=(), folder=tmp_path, remember=str)
+        stage = CaptureStage(
+            source=source,
+            assignment=(),
+            folder=tmp_path,
+            remember=str,
+            ask=lambda _stage, _sentence: False,
+        )
         stage.show()
         opened.append(stage)
         return stage

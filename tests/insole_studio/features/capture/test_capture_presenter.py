@@ -122,6 +122,8 @@ class Bench:
         self.remembered: list[Sequence[tuple[str, str]]] = []
         self.kept: list[Path] = []
         self.finished: list[bool] = []
+        self.asked: list[str] = []
+        self.agrees = True
         self.folder = folder
         self.setup = recorded_setup(NothingStored(), read_session(session))
         self.presenter = CapturePresenter(
@@ -135,7 +137,12 @@ class Bench:
             remember=self.remembered.append,
             kept=self.kept.append,
             finished=lambda: self.finished.append(True),
+            ask=self.ask,
         )
+
+    def ask(self, sentence: str) -> bool:
+        self.asked.append(sentence)
+        return self.agrees
 
     def tell(self, *events: Event) -> None:
         self.service.coming += events

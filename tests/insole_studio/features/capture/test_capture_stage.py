@@ -32,7 +32,13 @@ def stage(
     qtbot: QtBot, tmp_path: Path, small_session: Path, remembered: list[object]
 ) -> Iterator[CaptureStage]:
     source = SensorSource(SensorStore(tmp_path / "sensors"), small_session)
-    opened = CaptureStage(source=source, assignment=(), folder=tmp_path, remember=remembered.append)
+    opened = CaptureStage(
+        source=source,
+        assignment=(),
+        folder=tmp_path,
+        remember=remembered.append,
+        ask=lambda _stage, _sentence: False,
+    )
     opened.show()
     yield opened
     opened.end()

@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QApplication, QWidget
+from pointing import LEFT
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
+from real_dialogs import answering
 
+from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
+from insole_core.cases.order_note import OrderNote
+from insole_core.cases.scan_source import ScanSource
+from insole_core.foot.foot import Foot
+from insole_core.geometry.side import Side
 from insole_core.workflows.calibration.sensor_store import SensorStore
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application, build_application
 from insole_studio.features.capture.capture_window import CaptureWindow
+from insole_studio.features.capture.presenter import CapturePresenter
 from insole_studio.features.capture.stage import CaptureStage
 from insole_studio.user_paths import UserPaths
 
@@ -32,6 +43,11 @@ def emulating(
         dialog.done(0)
     built.autosave.forget()
     built.close()
+
+
+@pytest.fixture
+def settle_jobs(emulating: Application, qtbot: QtBot) -> Callable[[], None]:
+    return lambda: qtbot.waitUntil(lambda: not emulating.jobs.is_running())
 
 
 def opened_stage(application: Application) -> CaptureStage:
@@ -59,6 +75,76 @@ def test_a_captured_foot_comes_onto_the_bench(
     ready(lambda: not emulating.jobs.is_running())
     assert emulating.features.capture.stage is None
     assert emulating.settings.recent[0].startswith(str(paths.data_folder / "sessions"))
+
+
+@pytest.mark.slow
+def test_one_view_of_three_takes_the_place_of_no_foot_unasked(
+    emulating: Application,
+    qtbot: QtBot,
+    settle_jobs: Callable[[], None],
+    make_foot: Callable[[Side], Foot],
+) -> None:
+    case = emulating.case
+    foot = FootRecord.begun(make_foot(Side.LEFT), ScanSource("mesh", "/nowhere/a.ply", "1" * 64))
+    order = OrderNote("IS-261128-AB12", 1)
+    case.open(replace(CaseRecord.of_foot(foot, Patient(name="Anna")), order=order), None)
+    settle_jobs()
+    stage = opened_stage(emulating)
+    presenter, view = stage.presenter, stage.view
+    qtbot.waitUntil(lambda: len([s for s in presenter._sensors.states if s.fps > 0]) == 3)
+    view._edit(frames=60)
+    qtbot.mouseClick(view._capture, LEFT)
+    qtbot.waitUntil(lambda: len(_complete(presenter)) == 1)
+    qtbot.mouseClick(view._cancel, LEFT)
+    qtbot.waitUntil(view._use.isEnabled)
+    assert view._sentence.text() == "The capture was stopped. 1 of 3 views are there."
+    with answering("Go on capturing") as answers:
+        qtbot.mouseClick(view._use, LEFT)
+    assert answers.asked == ["1 of 3 views are there."]
+    assert emulating.features.capture.stage is stage
+    assert view._use.isEnabled()
+    with answering("Use what is there", "Do not open") as answers:
+        qtbot.mouseClick(view._use, LEFT)
+        qtbot.waitUntil(lambda: answers.left == [])
+        settle_jobs()
+    assert answers.asked == ["1 of 3 views are there.", "The case has a left foot already."]
+    assert case.record.of_side(Side.LEFT) is foot
+    emulating.features.foot.close()
+
+
+def _complete(presenter: CapturePresenter) -> list[str]:
+    """The views that the capture that runs has finished."""
+    status = presenter._status
+    return [] if status is None else [view.view for view in status.views if view.finished]
+
+
+def test_an_ordered_foot_is_replaced_by_no_scan_on_enter(
+    emulating: Application, settle_jobs: Callable[[], None], make_foot: Callable[[Side], Foot]
+) -> None:
+    case, opener = emulating.case, emulating.features.case_files.opener
+    foot = make_foot(Side.LEFT)
+    case.open_foot(foot, ScanSource("mesh", "/nowhere/a.ply", "1" * 64))
+    settle_jobs()
+    said: list[str] = []
+
+    def press_enter() -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        said.append(box.informativeText())
+        QTest.keyClick(box, Qt.Key.Key_Return)
+
+    for number, order in enumerate((OrderNote("IS-261128-AB12", 1), OrderNote())):
+        case.note_order(order)
+        QTimer.singleShot(100, press_enter)
+        source = ScanSource("session", f"/nowhere/{number}.ply", f"{number + 2}" * 64)
+        opener.take_scan(ScannedFoot(make_foot(Side.LEFT), source))
+        settle_jobs()
+        here = case.record.of_side(Side.LEFT)
+        assert here is not None
+        is_replaced = here.source.path == source.path
+        assert is_replaced is (order.number == "")
+    assert said[0].startswith("The case was exported as order IS-261128-AB12.")
+    assert "exported" not in said[1]
 
 
 def test_the_step_of_the_path_opens_it_once(emulating: Application) -> None:
