@@ -37,6 +37,7 @@ from insole_studio.widgets.layouts import CardGrid
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.side_switch import SideBadge
+from insole_studio.widgets.single_click_button import SingleClickButton
 
 _FIND = "find"
 
@@ -168,6 +169,8 @@ class CaptureView(QWidget):
         self._progress.setValue(round(100 * row.fraction))
         self._progress.setVisible(row.running)
         self._sentence.setText(translate_core_message(row.sentence))
+        if row.offer != self._offered.text():
+            self._ask_to_discard(False)
         self._offered.setText(row.offer)
         self._offer.setVisible(bool(row.offer))
         for field in self._fields:
@@ -300,12 +303,17 @@ class CaptureView(QWidget):
         self._offer, self._offered = QFrame(), QLabel()
         self._offer.setFrameShape(QFrame.Shape.StyledPanel)
         self._offered.setWordWrap(True)
-        go_on, discard = QPushButton(tr("Go on with it")), QPushButton(tr("Discard it"))
-        delete, keep = QPushButton(tr("Delete the views for good")), QPushButton(tr("Keep them"))
+        go_on, discard, delete, keep = (
+            SingleClickButton(text)
+            for text in (
+                tr("Go on with it"), tr("Discard it"),
+                tr("Delete the views for good"), tr("Keep them"),
+            )
+        )  # fmt: skip
         self._first, self._second = (go_on, discard), (delete, keep)
         go_on.clicked.connect(self.resume_requested)
         discard.clicked.connect(lambda: self._ask_to_discard(True))
-        delete.clicked.connect(self.discard_requested)
+        delete.clicked.connect(self._discard)
         keep.clicked.connect(lambda: self._ask_to_discard(False))
         row = QHBoxLayout(self._offer)
         row.setContentsMargins(8, 4, 8, 4)
@@ -314,6 +322,11 @@ class CaptureView(QWidget):
             row.addWidget(button)
         self._ask_to_discard(False)
         self._offer.hide()
+
+    def _discard(self) -> None:
+        """Have what is offered deleted; what is offered next is asked about anew."""
+        self._ask_to_discard(False)
+        self.discard_requested.emit()
 
     def _ask_to_discard(self, asking: bool) -> None:
         """Ask once, in place, before anything is deleted for good."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from pointing import LEFT
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QMenu, QPushButton, QToolButton
@@ -48,6 +49,41 @@ def test_what_cannot_be_undone_is_asked_once(view: CaptureView, qtbot: QtBot) ->
     button(view, "Discard it").click()
     with qtbot.waitSignal(view.discard_requested):
         button(view, "Delete the views for good").click()
+
+
+def double_click(on: QPushButton) -> None:
+    """Click twice at a place of the window; whatever is there by then gets the second click."""
+    window = on.window()
+    QTest.mouseDClick(window.windowHandle(), LEFT, pos=on.mapTo(window, on.rect().center()))
+
+
+def test_a_double_click_deletes_one_capture_and_the_next_one_is_asked_about_anew(
+    view: CaptureView, qtbot: QtBot
+) -> None:
+    view.resize(1200, 720)
+    qtbot.waitExposed(view)
+    left = ["The third.", "The second.", "The first."]
+    view.discard_requested.connect(lambda: (left.pop(0), offer()))
+
+    def offer() -> None:
+        view.show_capture(CaptureRow(button="Capture", offer=left[0] if left else ""))
+
+    def asks() -> list[str]:
+        return [b.text() for b in view._offer.findChildren(QPushButton) if b.isVisible()]
+
+    offer()
+    first = ["Go on with it", "Discard it"]
+    assert asks() == first
+    double_click(button(view, "Discard it"))  # "Delete" or "Keep" comes under the pointer
+    assert asks() == ["Delete the views for good", "Keep them"]
+    assert len(left) == 3
+    with qtbot.assertNotEmitted(view.resume_requested):
+        double_click(button(view, "Delete the views for good"))
+    assert left == ["The second.", "The first."]
+    assert asks() == first
+    QTest.mouseClick(button(view, "Discard it"), LEFT)
+    view.show_capture(CaptureRow(button="Capture", offer=left[1]))  # another window took one
+    assert asks() == first
 
 
 def test_one_large_button_at_a_time(view: CaptureView, qtbot: QtBot) -> None:
