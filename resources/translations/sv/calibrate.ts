@@ -168,6 +168,10 @@
             <translation>Sensor {serial} är som den var före den senaste ändringen.</translation>
         </message>
         <message>
+            <source>Sensor {serial} is not connected.</source>
+            <translation>Sensor {serial} är inte ansluten.</translation>
+        </message>
+        <message>
             <source>Serial number</source>
             <translation>Serienummer</translation>
         </message>

@@ -99,6 +99,8 @@ class LivePictures:
         self._draft: tempfile.TemporaryDirectory[str] | None = None
         self._numbers: dict[Kind, int] = {}
         self._newest: dict[Kind, Picture] = {}
+        self._of = ""
+        """Serial number of the sensor that the pictures are of."""
         self._in_infrared = ""
         self._looked_s = 0.0
         self._places: list[FloatArray] = []
@@ -116,6 +118,10 @@ class LivePictures:
         """Whether a capture is running."""
         return self._draft is not None
 
+    def is_connected(self, serial: str) -> bool:
+        """Whether a sensor is there to take pictures with."""
+        return self._state(serial) is not None
+
     def start(self) -> None:
         """Start the sensors."""
         if self._service is None:
@@ -127,7 +133,7 @@ class LivePictures:
         if self._service is not None:
             self._service.close()
         self._service, self.states, self.problem = None, (), ""
-        self._numbers, self._newest, self._in_infrared = {}, {}, ""
+        self._numbers, self._newest, self._of, self._in_infrared = {}, {}, "", ""
         self.end_taking()
 
     def forget_places(self) -> None:
@@ -151,6 +157,11 @@ class LivePictures:
         """
         if self._service is None:
             return None
+        if serial != self._of:  # the pictures of one sensor are never kept as those of another
+            self._of = serial
+            self._numbers.clear()
+            self._newest.clear()
+            self.problem = "" if self.states else self.problem
         done = None
         for event in self._service.news():
             if isinstance(event, Sensors):
@@ -165,15 +176,23 @@ class LivePictures:
                 else:
                     self.problem = event.sentence
                     self.end_taking()
+        self._look_at(serial, kind)
+        return done
+
+    def _look_at(self, serial: str, kind: LiveKind) -> None:
+        """Fetch the newest images of a sensor, and what is wrong with it."""
         state = self._state(serial)
-        if state is not None:
-            self._watch_infrared(serial if kind == "infrared" else "")
+        self._watch_infrared(serial if state is not None and kind == "infrared" else "")
+        if state is None:
+            self._newest.clear()
+            if serial and self.states:
+                self.problem = tr("Sensor {serial} is not connected.").format(serial=serial)
+        else:
             for shown in _KINDS:
                 self._take_newest(state.slot, shown)
             asked = kind in ("infrared", "dots")
             lack = lack_of(state, Capability.INFRARED) if asked else None
             self.problem = state.problem or lack or self.problem
-        return done
 
     def glance_task(
         self, kind: LiveKind, sensor: Sensor, board: Board, known: Readiness | None
@@ -283,7 +302,7 @@ class LivePictures:
         """Stream infrared images from this sensor only; from none if the serial is empty."""
         if self._service is None or serial == self._in_infrared:
             return
-        if self._in_infrared:
+        if self.is_connected(self._in_infrared):
             self._service.send(Infrared(self._in_infrared, on=False))
         if serial:
             self._service.send(Infrared(serial, on=True))

@@ -48,6 +48,10 @@ class LivePresenter:
         self._live, self._jobs, self._root = live, jobs, root
         self._automatic = True
         self._sentence = ""
+        self._begun = ""
+        """Serial number of the sensor that the open step was begun with."""
+        self._is_missing = False
+        """Whether it was told that this sensor is not there."""
         self._goes_to: tuple[Path, LiveKind] | None = None
         """Destination of the running capture, kept even if another step is opened meanwhile."""
         panel.live_toggled.connect(self.toggle)
@@ -72,7 +76,7 @@ class LivePresenter:
     def take(self) -> None:
         """Capture an image."""
         folder, kind = self._folder(), self._presenter.live_kind
-        if folder is None or self._live.taking or self._jobs.is_running(_KEEP):
+        if folder is None or not self._can_take or self._jobs.is_running(_KEEP):
             return
         if kind == "infrared":
             work = self._live.take_infrared(folder)
@@ -91,6 +95,7 @@ class LivePresenter:
         if states and not self._presenter.serial:
             self._panel.show_serial(states[0].serial)
             self._presenter.choose_serial(states[0].serial)
+        if self._presenter.serial != self._begun:  # what is under way shows another sensor
             self._begin_step()
         for state in states:
             if state.factory is not None and state.serial == self._presenter.serial:
@@ -98,8 +103,17 @@ class LivePresenter:
         taken = self._live.poll(self._presenter.serial, self._presenter.live_kind)
         if taken is not None:
             self._keep(taken)
+        self._tell_missing()
         self._glance()
         self._show()
+
+    def _tell_missing(self) -> None:
+        """Take the picture away, once, when the chosen sensor is not there."""
+        is_missing = bool(self._live.states) and not self._live.is_connected(self._begun)
+        if is_missing and not self._is_missing:
+            self._jobs.cancel(_GLANCE)
+            self._panel.show_no_picture(self._live.problem)
+        self._is_missing = is_missing
 
     def close(self) -> None:
         """Stop the sensors."""
@@ -110,7 +124,7 @@ class LivePresenter:
     def _begin_step(self) -> None:
         self._jobs.cancel(_GLANCE)
         self._live.forget_places()
-        self._sentence = ""
+        self._sentence, self._begun, self._is_missing = "", self._presenter.serial, False
         folder = self._folder()
         if self._live.running and folder is not None and folder.is_dir():
             self._presenter.look_at(folder)
@@ -160,9 +174,15 @@ class LivePresenter:
             LiveRow(
                 running=running,
                 sentence=self._status_sentence() if running else "",
-                can_take=running and not self._live.taking and bool(self._sentence),
+                can_take=self._can_take,
             )
         )
+
+    @property
+    def _can_take(self) -> bool:
+        """Whether the chosen sensor is there, and was seen."""
+        is_there = self._live.running and self._live.is_connected(self._presenter.serial)
+        return is_there and not self._live.taking and bool(self._sentence)
 
     def _status_sentence(self) -> str:
         if self._live.problem:

@@ -9,6 +9,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 from simulated_board import board_poses, chequer_print, photograph
 from simulated_device import SimulatedDevice, wall
@@ -188,6 +189,47 @@ def test_each_step_takes_its_own_pictures_of_one_sensor(
     (wall,) = read_infrared_walls(folder, "SIM1")
     assert wall.shift_px == (4.8, 3.9)
     assert not stage.view.check.isEnabled()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("step", [0, 2])
+@pytest.mark.parametrize("by_itself", [False, True])
+def test_a_picture_of_one_sensor_is_never_kept_as_that_of_another(
+    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path, step: int, by_itself: bool
+) -> None:
+    view = stage.view
+    view.automatic.setChecked(False)
+    view.live.click()
+    qtbot.waitUntil(lambda: view.serial_line.text() == "SIM1")
+    view.steps.setCurrentRow(step)
+    qtbot.waitUntil(lambda: said(stage).startswith("54 corners, "))
+    assert view.take.isEnabled()
+
+    view.serial_line.setFocus()
+    view.serial_line.selectAll()
+    qtbot.keyClicks(view.serial_line, "SIM2")
+    view.automatic.setChecked(by_itself)
+    qtbot.keyClick(view.serial_line, Qt.Key.Key_Return)
+    view.steps.setCurrentRow(step)
+    assert view._picture._image.isNull()
+    qtbot.waitUntil(lambda: said(stage) == "Sensor SIM2 is not connected.")
+    assert not view.take.isEnabled()
+    assert view._picture.accessibleName() == "Sensor SIM2 is not connected."
+    stage.live.take()  # as the key of the button, or a picture that was looked at before
+    qtbot.wait(1200)  # three times as long as until the next look
+    assert not list((tmp_path / "pictures").rglob("*.png"))
+    assert said(stage) == "Sensor SIM2 is not connected."
+
+    view.serial_line.selectAll()
+    qtbot.keyClicks(view.serial_line, "SIM1")
+    qtbot.keyClick(view.serial_line, Qt.Key.Key_Return)
+    view.steps.setCurrentRow(step)
+    qtbot.waitUntil(lambda: said(stage).startswith("54 corners, "))
+    if not by_itself:
+        view.take.click()
+    qtbot.waitUntil(lambda: view.looks.count() == 1)
+    kept = [path.relative_to(tmp_path / "pictures") for path in tmp_path.rglob("*_000.png")]
+    assert {path.parts[0] for path in kept} == {"SIM1"}
 
 
 @pytest.mark.slow
