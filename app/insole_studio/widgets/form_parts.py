@@ -9,7 +9,6 @@ from html import escape
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_studio.texts import tr
+from insole_studio.widgets.elided_fields import ElidedComboBox
 
 _WIDTH_PX = 460
 
@@ -122,7 +122,7 @@ def plain_button(
     return button
 
 
-class ComboBox(QComboBox):
+class ComboBox(ElidedComboBox):
     """A combo box that shows texts and returns the stored values."""
 
     edited = Signal(str)

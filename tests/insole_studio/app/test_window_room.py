@@ -9,11 +9,16 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
+    QComboBox,
     QDockWidget,
     QLabel,
     QProgressBar,
     QPushButton,
     QScrollArea,
+    QStyle,
+    QStyleOption,
+    QStyleOptionButton,
+    QStyleOptionComboBox,
     QVBoxLayout,
     QWidget,
 )
@@ -124,6 +129,49 @@ def test_the_offers_of_an_empty_view_are_whole_in_a_narrow_one(qtbot: QtBot) -> 
         assert len({button.y() for button in buttons}) == 3
 
     qtbot.waitUntil(are_whole)
+
+
+def cut_texts(panel: QWidget) -> list[str]:
+    """What buttons and choices of a panel draw beyond the room that they have for it."""
+    parts, complex_parts, one = QStyle.SubElement, QStyle.ComplexControl, QStyle.SubControl
+    texts: list[tuple[str, int, QStyleOption]] = []
+    for button in panel.findChildren(QPushButton):
+        pressed = QStyleOptionButton()
+        button.initStyleOption(pressed)
+        room = button.style().subElementRect(parts.SE_PushButtonContents, pressed, button)
+        texts += [(pressed.text, room.width(), pressed)] * button.isVisible()
+    for choice in panel.findChildren(QComboBox):
+        chosen = QStyleOptionComboBox()
+        choice.initStyleOption(chosen)
+        room = choice.style().subControlRect(
+            complex_parts.CC_ComboBox, chosen, one.SC_ComboBoxEditField, choice
+        )
+        texts += [(chosen.currentText, room.width(), chosen)] * choice.isVisible()
+    assert len(texts) > 3
+    return [text for text, px, drawn in texts if drawn.fontMetrics.horizontalAdvance(text) > px]
+
+
+def test_what_has_no_room_in_a_narrow_panel_ends_in_dots(
+    opened: Application, settle: Callable[[], None], qtbot: QtBot
+) -> None:
+    """Of rows that cannot be scrolled sideways."""
+    case, panel = opened.case, opened.stage.patient
+    design = case.record.design
+    assert design is not None
+    case.apply(design.with_added(Pelott(centre_mm=(0.0, 120.0))), "Place a pelott")
+    foot = case.record.current
+    assert foot is not None
+    case.apply(foot.with_name(foot.chosen, "For the shoes that she wears at work"), "Name it")
+    settle()
+    dock = panel.parentWidget()
+    assert isinstance(dock, QDockWidget)
+    dock.setFloating(True)
+    dock.resize(1, 400)
+    settle()
+    assert panel.width() == panel.minimumSizeHint().width()
+    rows = [b for b in panel.findChildren(QPushButton) if b.text().startswith("Pelott")]
+    qtbot.waitUntil(rows[0].isVisible)
+    assert cut_texts(panel) == []
 
 
 def test_neither_panels_nor_long_sentences_widen_the_window(

@@ -23,6 +23,7 @@ from insole_studio.features.design.patient.variant_row import VariantRow
 from insole_studio.features.design.rows import CorrectionRow, Measure, WarningRow
 from insole_studio.texts import tr
 from insole_studio.widgets.date_field import DateField
+from insole_studio.widgets.elided_fields import ElidedButton
 from insole_studio.widgets.form_parts import LinkLabel, mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.layouts import VerticalScroll, remove_widgets
@@ -81,12 +82,9 @@ class PatientView(VerticalScroll):
         self.variants.action_requested.connect(self.action_requested)
         self._measures = MeasureGrid()
         self._measures.chosen.connect(self.measure_chosen)
-        self._device = QPushButton()
+        self._device = ElidedButton()
         self._device.setObjectName("row")
         self._device.setCheckable(True)
-        self._device.setFlat(True)
-        policy = self._device.sizePolicy().Policy
-        self._device.setSizePolicy(policy.Ignored, policy.Fixed)
         self._device.clicked.connect(self._select_device)
         self._rows: list[CorrectionRow] | None = None
         self._corrections = QVBoxLayout()
@@ -230,14 +228,12 @@ class PatientView(VerticalScroll):
     def _correction_line(self, row: CorrectionRow) -> QWidget:
         eye = _button(row, "eye" if row.enabled else "eye-off", tr("Switch on or off"))
         eye.clicked.connect(self._toggle)
-        name = QPushButton(row.text)
+        name = ElidedButton(row.text)
         name.setProperty("correction", row.id)
         name.setCheckable(True)
         name.setChecked(row.selected)
-        name.setFlat(True)
         name.setObjectName("row")
         name.setToolTip(row.text)
-        name.setSizePolicy(name.sizePolicy().Policy.Ignored, name.sizePolicy().Policy.Fixed)
         name.clicked.connect(self._select)
         remove = _button(row, "remove", tr("Remove"))
         remove.clicked.connect(self._remove)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
 from insole_studio.document.case_names import variant_title
 from insole_studio.texts import tr
+from insole_studio.widgets.elided_fields import ElidedComboBox
 from insole_studio.widgets.icons import icon
 
 
@@ -20,7 +21,7 @@ class VariantRow(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.names = QComboBox()
+        self.names = ElidedComboBox()
         self.names.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
