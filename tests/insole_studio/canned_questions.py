@@ -42,6 +42,10 @@ class CannedQuestions:
     def use_unfinished(self, sentence: str) -> bool:
         return self.open_anyway(sentence)
 
+    def about_result(self, step: str) -> Answer:
+        self.asked.append(f"result {step}")
+        return self.unsaved
+
     def about_same_side(self, _side: Side, order: str = "") -> SameSide:
         self.asked.append(f"same side {order}".strip())
         return self.same_side

@@ -96,7 +96,8 @@ class MainController(QObject):
 
     def quit(self) -> None:
         """Close the window after unsaved work has been dealt with."""
-        self._features.case_files.saver.after_unsaved(self._close)
+        saver = self._features.case_files.saver
+        self._features.calibrate.after_result(lambda: saver.after_unsaved(self._close))
 
     def _connect_window(self) -> None:
         window, design = self._window, self._features.design

@@ -94,6 +94,10 @@ class _AnsweredQuestions(Questions):
         """Return what to do with unsaved work."""
         return self.answers.unsaved
 
+    def about_result(self, _step: str) -> Answer:
+        """Return what to do with a result of the calibration."""
+        return self.answers.unsaved
+
     def about_same_side(self, _side: Side, _order: str = "") -> SameSide:
         """Return what to do with a second scan of the same side."""
         return self.answers.same_side

@@ -144,6 +144,16 @@ class Questions:
         sentence = tr("{name} has changes that are not saved.").format(name=name)
         return self._choose(sentence, choices, default=Answer.SAVE)
 
+    def about_result(self, step: str) -> Answer:
+        """Ask what to do with the result of a step of the calibration before it is left."""
+        choices = [
+            _Choice(tr("Save to the device"), Answer.SAVE, _ACCEPT),
+            _Choice(tr("Drop the result"), Answer.DISCARD, _DESTRUCT),
+            _Choice(tr("Go on working"), Answer.CANCEL, _REJECT),
+        ]
+        sentence = tr("The result of the step {step} is not saved.").format(step=step)
+        return self._choose(sentence, choices, default=Answer.SAVE)
+
     def about_same_side(self, side: Side, order: str = "") -> SameSide:
         """Ask what to do with a second scan of the same foot.
 

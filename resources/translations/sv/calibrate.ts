@@ -64,6 +64,10 @@
             <translation>Spara inte</translation>
         </message>
         <message>
+            <source>Drop the result</source>
+            <translation>Släng resultatet</translation>
+        </message>
+        <message>
             <source>Folder with the images</source>
             <translation>Mapp med bilderna</translation>
         </message>
@@ -202,6 +206,10 @@
         <message>
             <source>The live picture</source>
             <translation>Direktbilden</translation>
+        </message>
+        <message>
+            <source>The result of the step {step} is not saved.</source>
+            <translation>Resultatet av steget {step} är inte sparat.</translation>
         </message>
         <message>
             <source>The sensor as it was before a result was last saved; again, to redo it</source>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
@@ -49,6 +50,19 @@ class CalibrateWindow(StageWindow["CalibrateStage"]):
         self.open()
         if self.stage is not None:
             self.stage.print_boards()
+
+    def after_result(self, then: Callable[[], None]) -> None:
+        """Do something once a result that is not saved was saved or dropped, if there is one."""
+        if self.stage is None:
+            then()
+        else:
+            self.stage.presenter.after_result(then)
+
+    def close(self) -> None:
+        """Close the stage at the end of the program, before which `after_result` has asked."""
+        if self.stage is not None:
+            self.stage.presenter.drop_result()
+        super().close()
 
     def make_stage(self) -> CalibrateStage:
         """Create the stage and connect to the sensors."""

@@ -57,7 +57,7 @@ class LivePresenter:
         panel.live_toggled.connect(self.toggle)
         panel.automatic_toggled.connect(self.set_automatic)
         panel.take_requested.connect(self.take)
-        panel.step_chosen.connect(lambda _key: self._begin_step())
+        presenter.step_begun = self._begin_step
         self._show()
 
     def toggle(self, on: bool) -> None:
@@ -74,7 +74,10 @@ class LivePresenter:
         self._automatic = on
 
     def take(self) -> None:
-        """Capture an image."""
+        """Capture an image, which takes the place of a result that is shown."""
+        self._presenter.after_result(self._take, also_saved=False)
+
+    def _take(self) -> None:
         folder, kind = self._folder(), self._presenter.live_kind
         if folder is None or not self._can_take or self._jobs.is_running(_KEEP):
             return
@@ -127,7 +130,7 @@ class LivePresenter:
         self._sentence, self._begun, self._is_missing = "", self._presenter.serial, False
         folder = self._folder()
         if self._live.running and folder is not None and folder.is_dir():
-            self._presenter.look_at(folder)
+            self._look_at(folder)
 
     def _folder(self) -> Path | None:
         presenter = self._presenter
@@ -149,8 +152,9 @@ class LivePresenter:
             return
         self._panel.show_picture(glance.picture)
         self._sentence = glance.sentence
-        if self._live.is_worth_taking(glance) and self._automatic:
-            self.take()
+        is_wanted = self._automatic and not self._presenter.has_result
+        if self._live.is_worth_taking(glance) and is_wanted:
+            self._take()
         self._show()
 
     def _keep(self, taken: Path) -> None:
@@ -161,6 +165,10 @@ class LivePresenter:
     def _kept(self, folder: Path) -> None:
         self._live.end_taking()
         if folder == self._folder():  # otherwise another step was opened meanwhile
+            self._look_at(folder)
+
+    def _look_at(self, folder: Path) -> None:
+        if not self._presenter.has_result:  # what is looked at would take its place
             self._presenter.look_at(folder)
 
     def _fail(self, error: Exception) -> None:

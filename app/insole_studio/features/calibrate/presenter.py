@@ -23,6 +23,7 @@ from insole_core.workflows.calibration.steps import StepResult
 from insole_studio.features.calibrate.calibration_steps import STEPS, CalibrationStep
 from insole_studio.features.calibrate.rows import BoardSize, CalibrateButtons, LookRow, StepRow
 from insole_studio.jobs import JobProgress, Jobs
+from insole_studio.services.questions import Answer
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
@@ -47,6 +48,8 @@ class CalibratePresenter:
         Lets the user choose a folder; None if cancelled.
     ask
         Asks whether to save an implausible result; the sentence gives the reason.
+    ask_result
+        Asks what to do with a result that is not saved; the text is the title of its step.
     """
 
     def __init__(
@@ -56,9 +59,16 @@ class CalibratePresenter:
         jobs: Jobs,
         ask_folder: Callable[[], Path | None],
         ask: Callable[[str], bool],
+        *,
+        ask_result: Callable[[str], Answer],
     ) -> None:
         self._panel, self._store, self._jobs = panel, store, jobs
-        self._ask_folder, self._ask = ask_folder, ask
+        self._ask_folder, self._ask, self._ask_result = ask_folder, ask, ask_result
+        self._is_asking = False
+        self._then: Callable[[], None] | None = None
+        """What waits until the result is saved."""
+        self.step_begun: Callable[[], None] = lambda: None
+        """Called when the user has opened a step."""
         self._serial = ""
         self._sensor: Sensor | None = None
         self._step = STEPS[0]
@@ -67,6 +77,8 @@ class CalibratePresenter:
         self._readiness: Readiness | None = None
         self._seen = Memo(_KEPT_PICTURES)
         self._result: StepResult | None = None
+        self._saves = False
+        """Whether the result is being written."""
         panel.serial_edited.connect(self.choose_serial)
         panel.step_chosen.connect(self.choose_step)
         panel.board_edited.connect(self.edit_board)
@@ -112,10 +124,60 @@ class CalibratePresenter:
         """Coverage and usability of the images in the folder of the step."""
         return self._readiness
 
+    @property
+    def has_result(self) -> bool:
+        """Whether a result is shown that is not saved."""
+        return self._result is not None
+
+    def drop_result(self) -> None:
+        """Let a result that is not saved be left without a question."""
+        self._result = None
+
+    def after_result(self, then: Callable[[], None], *, also_saved: bool = True) -> None:
+        """Do something that leaves the result: at once, or when the user has saved or dropped it.
+
+        Parameters
+        ----------
+        then
+            Not called if the user stays, or if the result cannot be saved.
+        also_saved
+            Whether it is still to be done when saving has opened the next step.
+        """
+        if self._is_asking:
+            return  # a field tells again what was typed when the question takes its focus
+        if self._result is not None and not self._is_saving:
+            self._is_asking = True
+            answer = self._ask_result(self._step.title())
+            self._is_asking = False
+            if answer is Answer.DISCARD:
+                self._result = None
+            elif answer is Answer.SAVE:
+                self.save()
+        if self._result is None:
+            then()
+            return
+        if self._is_saving and also_saved:
+            self._then = then
+        self._show_chosen()
+
+    @property
+    def _is_saving(self) -> bool:
+        return self._saves and self._jobs.is_running(CHANNEL)
+
+    def _show_chosen(self) -> None:
+        """Show again what stays chosen."""
+        self._panel.show_serial(self._serial)
+        self._panel.show_board(self._board)
+        self._panel.show_steps([self._row(one) for one in STEPS])
+
     def choose_serial(self, serial: str) -> None:
         """Choose a sensor; one without a calibration starts from nominal values."""
         if serial.strip() == self._serial:
             return  # leaving the field also emits this signal
+        self.after_result(lambda: self._choose_serial(serial))
+
+    def _choose_serial(self, serial: str) -> None:
+        self._panel.show_serial(serial.strip())
         self._serial, self._sensor = serial.strip(), None
         try:
             if self._serial:
@@ -137,25 +199,41 @@ class CalibratePresenter:
         known = self._sensor
         if known is None or known.serial != factory.serial or factory.depth_unit_mm is None:
             return
+        if self.has_result:
+            return
         if known.depth_unit_mm is None and self._store.load(factory.serial) is None:
             self._sensor = factory
             self._open(self._first_undone())
 
     def choose_step(self, key: str) -> None:
         """Open a step."""
-        self._open(next(step for step in STEPS if step.key == key))
+
+        def choose() -> None:
+            self._open(next(step for step in STEPS if step.key == key))
+            self.step_begun()
+
+        self.after_result(choose)
 
     def edit_board(self, board: BoardSize) -> None:
         """Set the board and inspect the images again."""
-        self._board = board
-        if self._folder is not None and self._step.uses_board:
-            self.look_at(self._folder)
+
+        def edit() -> None:
+            self._board = board
+            self._panel.show_board(board)
+            if self._folder is not None and self._step.uses_board:
+                self.look_at(self._folder)
+
+        self.after_result(edit)
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of images, and inspect it."""
-        folder = self._ask_folder()
-        if folder is not None:
-            self.look_at(folder)
+
+        def ask() -> None:
+            folder = self._ask_folder()
+            if folder is not None:
+                self.look_at(folder)
+
+        self.after_result(ask, also_saved=False)
 
     def look_at(self, folder: Path) -> None:
         """Inspect every image of a folder in the background."""
@@ -211,9 +289,13 @@ class CalibratePresenter:
             return self._store.load(result.sensor.serial)  # with the date of the step
 
         self._start(keep, self._saved)
+        self._saves = True
 
     def undo(self) -> None:
         """Take the sensor back to before its last step, or redo it after that."""
+        self.after_result(self._undo, also_saved=False)
+
+    def _undo(self) -> None:
         serial = self._serial
 
         def exchange(_progress: Progress) -> Sensor:
@@ -241,6 +323,7 @@ class CalibratePresenter:
 
     def _start(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
         self._panel.show_error("")
+        self._saves, self._then = False, None
         self._jobs.start(CHANNEL, work, done, self._show_failure)
         self._show_buttons()
 
@@ -316,6 +399,8 @@ class CalibratePresenter:
         self._show_buttons()
 
     def _saved(self, sensor: Sensor | None) -> None:
+        self._saves = False
+        then, self._then = self._then, None
         self._sensor = sensor
         self._panel.show_serials(self._store.serials())
         done, following = self._step.title(), self._first_undone()
@@ -326,9 +411,12 @@ class CalibratePresenter:
         else:
             after = tr("Next: {step}.").format(step=following.title())
             self._panel.show_next([saved, after])
+        if then is not None:
+            then()
 
     def _show_failure(self, error: Exception) -> None:
         sentence = tr("Something unexpected happened; nothing was changed. Please report it.")
+        self._saves, self._then = False, None
         self._panel.show_error(str(error) if isinstance(error, InsoleError) else sentence)
         self._show_buttons()
 

@@ -43,7 +43,7 @@ class CalibrateStage(StageFrame):
     ask
         Asks whether to save an implausible result; by default in a dialog.
     questions
-        Ask the user for paths; by default with folders of their own.
+        Ask for paths, and what to do with a result; by default with folders of their own.
     """
 
     closed = Signal()
@@ -66,7 +66,12 @@ class CalibrateStage(StageFrame):
         self.jobs = Jobs(self)
         self._questions = questions.on(self) if questions else Questions(self)
         self.presenter = CalibratePresenter(
-            self.view, store, self.jobs, ask_folder or self._ask_folder, ask or self._ask
+            self.view,
+            store,
+            self.jobs,
+            ask_folder or self._ask_folder,
+            ask or self._ask,
+            ask_result=self._questions.about_result,
         )
         self._system = source.setup().system
         live = LivePictures(lambda: CaptureService(source), self._system)
@@ -84,7 +89,11 @@ class CalibrateStage(StageFrame):
         dialog.open()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop sensors and jobs; unsaved results are dropped."""
+        """Stop sensors and jobs, once a result was saved or dropped."""
+        if self.presenter.has_result:
+            event.ignore()
+            self.presenter.after_result(lambda: QTimer.singleShot(0, self, self.close))
+            return
         self._timer.stop()
         self.live.close()
         self.jobs.close()

@@ -10,8 +10,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from canned_questions import CannedQuestions
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from real_dialogs import answering
 from simulated_device import WALLS, SimulatedDevice, smooth_distortion, wall
 from simulated_folders import BOARD, write_boards, write_walls
 from simulated_infrared import dots, write_infrared, write_infrared_walls
@@ -25,6 +28,7 @@ from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.app.bootstrap import Application
 from insole_studio.features.calibrate.rows import BoardSize
 from insole_studio.features.calibrate.stage import CalibrateStage
+from insole_studio.services.questions import Answer
 
 pytestmark = pytest.mark.usefixtures("undrawn_reports")
 
@@ -90,6 +94,7 @@ def stage(
     built = CalibrateStage(store, SensorSource(store), tmp_path / "pictures", chosen, asked)
     built.show()
     yield built
+    built.presenter.drop_result()
     built.close()
     built.deleteLater()
 
@@ -163,6 +168,71 @@ def test_colour_camera_from_folder_to_device(
     assert "Next: Distortion of the depth." in stage.view.next_steps.text()
     assert "done on 20" in step_lines(stage)[0]
     assert stage.view.steps.currentRow() == 1
+
+
+@pytest.mark.slow
+def test_a_result_is_left_only_once_it_was_saved_or_dropped(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path, qtbot: QtBot
+) -> None:
+    view, store = stage.view, SensorStore(tmp_path / "sensors")
+    store.save(nominal_kinect("SIM2"))
+    chosen.folder = pictures / "boards"
+
+    def calibrate() -> None:
+        view.steps.setCurrentRow(0)
+        for button in (view.choose, view.calibrate):
+            button.click()
+            settle()
+        assert view.save.isEnabled()
+
+    def is_kept() -> bool:
+        return view.save.isEnabled() and "Save it, if this" in view.next_steps.text()
+
+    give_serial(stage)
+    view.show_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
+    stage.presenter.edit_board(view.board())
+    calibrate()
+    asked = "The result of the step Colour camera is not saved."
+    for leave in (
+        lambda: view.steps.setCurrentRow(1),
+        lambda: _type_serial(stage, qtbot, "SIM2"),
+        lambda: view._columns.setValue(7),
+        view.choose.click,
+        stage.live.take,
+        stage.close,
+    ):
+        with answering("Go on working") as answers:
+            leave()
+        assert answers.asked == [asked]
+        assert is_kept()
+        assert stage.isVisible()
+        assert (view.steps.currentRow(), view.serial_line.text()) == (0, "SIM1")
+        assert view.board().columns == BOARD.columns
+    with answering("Drop the result"):
+        view.steps.setCurrentRow(1)
+    assert view.steps.currentRow() == 1
+    assert not view.save.isEnabled()
+    assert store.load("SIM1") is None
+
+    calibrate()
+    with answering("Save to the device"):
+        view.steps.setCurrentRow(3)
+    settle()
+    assert store.load("SIM1") is not None
+    assert view.steps.currentRow() == 3
+    assert "done on 20" in step_lines(stage)[0]
+
+    calibrate()
+    with answering("Drop the result"), qtbot.waitSignal(stage.closed):
+        stage.close()
+
+
+def _type_serial(stage: CalibrateStage, qtbot: QtBot, serial: str) -> None:
+    line = stage.view.serial_line
+    line.setFocus()
+    line.selectAll()
+    qtbot.keyClicks(line, serial)
+    qtbot.keyClick(line, Qt.Key.Key_Return)
 
 
 @pytest.mark.slow
@@ -303,6 +373,29 @@ def test_opened_from_the_menu_and_closed_with_the_program(app: Application) -> N
     assert app.features.calibrate.stage is opened
     app.features.calibrate.close()
     assert app.features.calibrate.stage is None
+
+
+def test_the_program_asks_about_a_result_before_it_ends(
+    app: Application, questions: CannedQuestions, pictures: Path, qtbot: QtBot
+) -> None:
+    app.controller.run_action("calibrate", False)
+    stage = app.features.calibrate.stage
+    assert stage is not None
+    give_serial(stage)
+    stage.presenter.edit_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
+    for work in (lambda: stage.presenter.look_at(pictures / "boards"), stage.view.calibrate.click):
+        work()
+        qtbot.waitUntil(lambda: not stage.jobs.is_running())
+    ended: list[bool] = []
+    app.controller.closed.connect(lambda: ended.append(True))
+    questions.unsaved = Answer.CANCEL
+    app.controller.quit()
+    assert questions.asked == ["result Colour camera"]
+    assert ended == []
+    assert stage.presenter.has_result
+    questions.unsaved = Answer.DISCARD
+    app.controller.quit()
+    assert ended == [True]
 
 
 @pytest.mark.slow
