@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import Conflict, InsoleError, PersonErased, RecordsError, Unreachable
+from insole_core.records.person import Person, new_id
 from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_studio.document.autosave import Autosave
 from insole_studio.document.case import Case
@@ -20,10 +21,9 @@ from insole_studio.document.kept_visit import KeptVisit, UnkeptVisit
 from insole_studio.texts import tr
 
 if TYPE_CHECKING:
-    from insole_core.records.person import Person
     from insole_core.records.prescription import Base
     from insole_core.records.records import Records
-    from insole_core.records.visit import OpenedCase
+    from insole_core.records.visit import OpenedCase, Visit
     from insole_core.workflows.records.keep_case import KeptChange
 
 log = logging.getLogger(__name__)
@@ -76,6 +76,9 @@ class RecordKeeper(QObject):
     """There is a `patient_conflict` or a `conflict`; `settle_patient` and `settle` end them."""
     failed = Signal(object)
     """Emitted with an error that the user has to know of."""
+    lost = Signal()
+    """The visit is in the record no more, as one that was deleted at another station; its work
+    stays here until it is kept as another one (`keep_as_new_visit`), or saved as a file."""
     erased = Signal()
     """The patient was erased, here or at another station, and the case closed: nothing stays."""
 
@@ -180,6 +183,31 @@ class RecordKeeper(QObject):
         """Keep the feet as they are as a version of their own, for a reason."""
         self._reason, self._told = reason, ""
         self._save()
+
+    def keep_as_new_visit(self) -> None:
+        """Add what is open as another visit of its patient, in place of one that is lost."""
+        kept = self._case.kept
+        if kept is None or self._is_saving:
+            return
+        self._is_saving, self._told = True, ""
+
+        def add(records: Records) -> tuple[Person, Visit]:
+            person = records.persons.get(kept.person.id)
+            visit = replace(kept.visit, id=new_id(), person_id=person.id)
+            return person, records.visits.add(visit)
+
+        def added(found: tuple[Person, Visit]) -> None:
+            self._is_saving = False
+            if self.visit_id != kept.visit.id:
+                return
+            person, visit = found
+            self._take_person(person)
+            stored = replace(self._case.saved_record, feet=(), at_hand=None)
+            self._case.mark_kept(stored, KeptVisit(person, visit))
+            self._set_state(KeepState.CHANGED)
+            self._save()
+
+        self._clinic.write(add, added, self._fail)
 
     @property
     def conflict(self) -> Conflict | None:
@@ -294,7 +322,7 @@ class RecordKeeper(QObject):
             self._clinic.ask(
                 _WHOSE,
                 lambda records: _whose(records, kept),
-                lambda person: self._note_person(visit_id, person),
+                lambda whose: self._note_person(visit_id, whose[0]),
                 _note_failure,
             )
 
@@ -415,13 +443,14 @@ class RecordKeeper(QObject):
     def _refuse_unless_erased(self, kept: KeptVisit, error: RecordsError) -> None:
         """Tell why nothing was stored, unless the visit has gone with an erased patient."""
 
-        def found(person: Person) -> None:
+        def found(whose: tuple[Person, bool]) -> None:
+            person, is_there = whose
             if self.visit_id != kept.visit.id:
                 return
             if person.is_erased:
                 self._close_erased()
             else:
-                self._refuse(error)
+                self._refuse(error, is_lost=not is_there)
 
         self._clinic.ask(
             f"{_WHOSE}-refused",
@@ -430,10 +459,14 @@ class RecordKeeper(QObject):
             lambda _error: self._refuse(error),
         )
 
-    def _refuse(self, error: InsoleError) -> None:
+    def _refuse(self, error: InsoleError, *, is_lost: bool = False) -> None:
+        """Tell what was refused, once, and again to whoever wants to leave it."""
+        is_new = self._told != str(error)
+        self._told = str(error)
         self._set_state(KeepState.REFUSED)
-        if self._told != str(error):
-            self._told = str(error)
+        if is_lost and is_new:
+            self.lost.emit()
+        if self._then is not None or (is_new and not is_lost):
             self.failed.emit(error)
         self._stay()
 
@@ -466,15 +499,15 @@ class RecordKeeper(QObject):
         self.state_changed.emit()
 
 
-def _whose(records: Records, kept: KeptVisit) -> Person:
-    """Return whose a visit is by now; of one that is gone, whose it was."""
+def _whose(records: Records, kept: KeptVisit) -> tuple[Person, bool]:
+    """Return whose a visit is by now, or was, and whether it is still there."""
     try:
-        person_id = records.visits.get(kept.visit.id).person_id
+        person_id, is_there = records.visits.get(kept.visit.id).person_id, True
     except Unreachable:
         raise
     except RecordsError:
-        person_id = kept.person.id
-    return records.persons.get(person_id)
+        person_id, is_there = kept.person.id, False
+    return records.persons.get(person_id), is_there
 
 
 def _note_failure(error: Exception) -> None:

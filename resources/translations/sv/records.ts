@@ -304,6 +304,10 @@
             <translation>Behåll</translation>
         </message>
         <message>
+            <source>Keep as a new visit</source>
+            <translation>Behåll som nytt besök</translation>
+        </message>
+        <message>
             <source>Keep both as variants</source>
             <translation>Behåll båda som varianter</translation>
         </message>
@@ -620,6 +624,10 @@
             <translation>Prov: en påhittad patient att prova på; inget här är på riktigt.</translation>
         </message>
         <message>
+            <source>Save as a file…</source>
+            <translation>Spara som fil…</translation>
+        </message>
+        <message>
             <source>Saved in the record</source>
             <translation>Sparat i journalen</translation>
         </message>
@@ -774,6 +782,10 @@
         <message>
             <source>This visit is open elsewhere too: {who}. Nothing gets lost.</source>
             <translation>Besöket är öppet även på annat håll: {who}. Inget går förlorat.</translation>
+        </message>
+        <message>
+            <source>This visit was deleted elsewhere; what you have made is kept on this computer.</source>
+            <translation>Detta besök togs bort på ett annat ställe; det du har gjort finns kvar på den här datorn.</translation>
         </message>
         <message>
             <source>Tick at least one order.</source>

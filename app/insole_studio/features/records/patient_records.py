@@ -25,7 +25,7 @@ from insole_core.visible_text import visible_line
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.case_names import case_name
 from insole_studio.document.clinic_record import RecordState
-from insole_studio.document.record_keeper import PatientConflict
+from insole_studio.document.record_keeper import KeepState, PatientConflict
 from insole_studio.features.records.earlier_visit import (
     EarlierScan,
     SamePrescription,
@@ -68,7 +68,7 @@ if TYPE_CHECKING:
     from insole_studio.features.records.record_transfer import RecordTransfer
 
 Then = Callable[[], None]
-CONFLICT = "record-conflict"
+CONFLICT, LOST = "record-conflict", "record-lost"
 
 
 class PatientRecords(QObject):
@@ -119,6 +119,8 @@ class PatientRecords(QObject):
         self._person_presenter: PersonPresenter | None = None
         self._transfer: RecordTransfer | None = None
         self._keeper.conflicted.connect(self.decide)
+        self._keeper.lost.connect(self._offer_lost)
+        self._keeper.state_changed.connect(self._drop_lost)
         services.recent.changed.connect(self._show_recent_files)
         self._clinic.state_changed.connect(self._show_recent_files)
         self._clinic.state_changed.connect(self._let_add_again)
@@ -595,6 +597,20 @@ class PatientRecords(QObject):
             (tr("Decide…"), self.decide),
             on_pages=True,
         )
+
+    def _offer_lost(self) -> None:
+        """Offer what becomes of the work on a visit that was deleted elsewhere."""
+        self._services.notices.put(
+            LOST,
+            tr("This visit was deleted elsewhere; what you have made is kept on this computer."),
+            (tr("Keep as a new visit"), self._keeper.keep_as_new_visit),
+            (tr("Save as a file…"), lambda: self.action_requested.emit("save_as")),
+            on_pages=True,
+        )
+
+    def _drop_lost(self) -> None:
+        if self._keeper.state in (KeepState.SAVED, KeepState.NOTHING):
+            self._services.notices.drop(LOST)
 
     def _here(self) -> str:
         who = self._clinic.author

@@ -34,6 +34,7 @@ class VisitPresence(QObject):
         self._timer.setInterval(REFRESH_MS)
         self._timer.timeout.connect(self._enter)
         services.case.opened.connect(self._follow)
+        services.case.saved_changed.connect(self._follow)  # it may be kept as another visit
 
     def close(self) -> None:
         """Leave the visit at the end of the program."""

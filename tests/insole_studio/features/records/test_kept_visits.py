@@ -17,8 +17,10 @@ from pytestqt.qtbot import QtBot
 from insole_core.cases.case_file import read_case
 from insole_core.cases.case_record import CaseRecord
 from insole_core.cases.order_note import OrderNote
+from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import RecordsError, Unreachable
 from insole_core.export.shop_order import OrderTerms
+from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.records.person import Person
 from insole_core.records.prescriptions import Prescriptions
@@ -430,6 +432,74 @@ def test_what_the_record_refuses_can_be_saved_as_a_file(
     design = read_case(tmp_path / "kept.insole").design
     assert design is not None
     assert design.thickness_mm == 5.5
+
+
+@pytest.fixture
+def lost(
+    clinic: Application,
+    records: Records,
+    other_station: Records,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+) -> Application:
+    """The window with a foot on a visit that was deleted elsewhere, while it was empty."""
+    anna = records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    empty = records.visits.add(Visit(anna.id, date(2026, 2, 28)))
+    clinic.features.records.open_visit(empty.id)
+    qtbot.waitUntil(lambda: clinic.services.keeper.visit_id == empty.id)
+    qtbot.waitUntil(lambda: bool(other_station.presence.others(empty.id)))
+    records.presence.leave(empty.id)  # as after a cut of the network
+    other_station.visits.delete(empty.id)
+    source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+    clinic.case.open_foot(make_foot(Side.LEFT), source)
+    qtbot.waitUntil(lambda: clinic.services.keeper.state is KeepState.REFUSED)
+    return clinic
+
+
+def lost_notice(app: Application) -> list[tuple[str, ...]]:
+    return [shown.offers for shown in app.services.notices.notices if shown.key == "record-lost"]
+
+
+def test_work_on_a_visit_that_was_deleted_elsewhere_is_kept_as_a_new_visit(
+    lost: Application, records: Records, other_station: Records, qtbot: QtBot
+) -> None:
+    assert lost_notice(lost) == [("Keep as a new visit", "Save as a file…")]
+    assert not lost.services.messages.dialogs
+    kept = lost.case.kept
+    assert kept is not None
+    lost.services.notices.take("record-lost")
+    wait_until_saved(lost, qtbot)
+    (visit,) = records.visits.of_person(kept.person.id)
+    assert visit.id == lost.services.keeper.visit_id != kept.visit.id
+    assert visit.visited_on == date(2026, 2, 28)
+    assert lost_notice(lost) == []
+    thicken(lost, 5.5)
+    wait_until_saved(lost, qtbot)
+    assert newest_mm(records, visit) == 5.5
+    qtbot.waitUntil(lambda: bool(other_station.presence.others(visit.id)))
+    with qtbot.waitSignal(lost.controller.closed):
+        lost.window.close()
+
+
+def test_work_on_a_visit_that_was_deleted_elsewhere_is_saved_as_a_file(
+    lost: Application, questions, tmp_path: Path, qtbot: QtBot
+) -> None:
+    messages = lost.services.messages
+    for _attempt in range(2):  # whoever leaves is told each time why it does not go on
+        lost.window.close()
+        qtbot.waitUntil(lambda: bool(messages.dialogs))
+        (dialog,) = messages.dialogs
+        assert dialog.text().startswith("This visit is no longer in the record")
+        dialog.done(0)
+    assert len(lost_notice(lost)) == 1
+    questions.path = tmp_path / "kept.insole"
+    lost.services.notices.take("record-lost", 1)
+    qtbot.waitUntil(lambda: lost.case.path is not None)
+    assert read_case(tmp_path / "kept.insole").of_side(Side.LEFT) is not None
+    assert lost.services.keeper.state is KeepState.NOTHING
+    assert lost_notice(lost) == []
+    with qtbot.waitSignal(lost.controller.closed):
+        lost.window.close()
 
 
 def test_what_the_record_refuses_of_a_journal_waits_in_sight_and_can_become_a_case(
