@@ -24,6 +24,13 @@ _OVERSHOOT = QScrollerProperties.ScrollMetric.VerticalOvershootPolicy
 _NEVER = QScrollerProperties.OvershootPolicy.OvershootAlwaysOff
 
 
+def keep_room(widget: QWidget) -> None:
+    """Let what stands beside a widget stay where it is while the widget comes and goes."""
+    policy = widget.sizePolicy()
+    policy.setRetainSizeWhenHidden(True)
+    widget.setSizePolicy(policy)
+
+
 def remove_widgets(layout: QLayout) -> None:
     """Hide the widgets of a layout, which go when the events are handled next."""
     while (item := layout.takeAt(0)) is not None:

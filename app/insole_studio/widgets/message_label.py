@@ -9,6 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel, QMessageBox, QProgressBar, QPushButton, QWidget
 
 from insole_studio.texts import tr, translate_core_message, with_capital
+from insole_studio.widgets.layouts import keep_room
 
 
 class MessageLabel(QLabel):
@@ -39,11 +40,12 @@ class MessageLabel(QLabel):
 
 
 class ProgressBar(QProgressBar):
-    """Progress and description of a long job; hidden while none runs."""
+    """Progress and description of a long job; hidden while none runs, its room kept."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setRange(0, 100)
+        keep_room(self)
         self.hide()
 
     def show_work(self, fraction: float, text: str) -> None:

@@ -33,7 +33,7 @@ from insole_studio.features.capture.sensor_card import SensorCard
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.empty_page import EmptyPage
 from insole_studio.widgets.form_parts import ComboBox
-from insole_studio.widgets.layouts import CardGrid
+from insole_studio.widgets.layouts import CardGrid, keep_room
 from insole_studio.widgets.legend import Legend
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.side_switch import SideBadge
@@ -354,6 +354,8 @@ class CaptureView(QWidget):
         self._use = QPushButton(tr("Use this scan"))
         self._other = QPushButton(tr("Keep, and capture the other foot"))
         self._progress = QProgressBar()
+        for of_running in (self._progress, self._cancel):
+            keep_room(of_running)
         for button, signal in (
             (self._capture, self.capture_requested),
             (self._cancel, self.cancel_requested),

@@ -25,7 +25,7 @@ from insole_studio.scene.pointer import MarkedPoint
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
 from insole_studio.widgets.form_parts import ComboBox, mark_labels
-from insole_studio.widgets.layouts import remove_widgets
+from insole_studio.widgets.layouts import keep_room, remove_widgets
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField
@@ -88,6 +88,7 @@ class CompareView(QWidget):
         self._progress = ProgressBar()
         self.take_back = _button(tr("Take the last point back"), self.take_back_requested.emit)
         self.cancel = _button(tr("Cancel"), self.cancel_requested.emit)
+        keep_room(self.cancel)
         self.leave = _button(tr("Close"), self.close_requested.emit)
         self.leave.setToolTip("Esc")
         self.save = _button(tr("Save report…"), self.save_requested.emit)

@@ -31,7 +31,7 @@ from insole_studio.features.export.part_colors import PartColors
 from insole_studio.features.export.rows import Buttons, CheckRow, OrderedFoot
 from insole_studio.scene.view_camera import Subject
 from insole_studio.texts import tr
-from insole_studio.widgets.layouts import VerticalScroll
+from insole_studio.widgets.layouts import VerticalScroll, keep_room
 from insole_studio.widgets.legend import SwatchLegend
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
@@ -87,6 +87,7 @@ class ExportView(QWidget):
         self.reason.textEdited.connect(self.reason_edited)
         self._progress = ProgressBar()
         self.cancel = QPushButton(tr("Cancel"))
+        keep_room(self.cancel)
         self.cancel.clicked.connect(self.cancel_requested)
         self.leave = QPushButton(tr("Close"))
         self.leave.clicked.connect(self.close_requested)

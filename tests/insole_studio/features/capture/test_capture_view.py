@@ -6,9 +6,17 @@ from dataclasses import replace
 
 import pytest
 from pointing import LEFT
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QLineEdit, QMenu, QPushButton, QToolButton
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QCheckBox,
+    QLineEdit,
+    QMenu,
+    QPushButton,
+    QToolButton,
+)
 from pytestqt.qtbot import QtBot
 
 from insole_studio.acquisition.messages import Capability, LaserRange, Preset, Tuning
@@ -97,6 +105,28 @@ def test_one_large_button_at_a_time(view: CaptureView, qtbot: QtBot) -> None:
     view.show_capture(CaptureRow(button="Capture anew", can_use=True, is_whole=True))
     assert button(view, "Use this scan").isDefault()
     assert not button(view, "Capture anew").isDefault()
+
+
+def test_nothing_moves_when_a_capture_begins_and_ends(view: CaptureView) -> None:
+    """Neither the large buttons nor those of the cards, which somebody is about to press."""
+    view.resize(1000, 600)
+    view.show_sensors([SensorRow("D1", "left", "left", "")])
+
+    def places() -> dict[str, QRect]:
+        QApplication.processEvents()
+        buttons = [b for b in view.findChildren(QAbstractButton) if b.isVisible() and b.text()]
+        corner = view.mapToGlobal(QPoint(0, 0))
+        return {b.text(): QRect(b.mapToGlobal(QPoint(0, 0)) - corner, b.size()) for b in buttons}
+
+    view.show_capture(CaptureRow(button="Capture", can_capture=True))
+    before = places()
+    assert {"Capture", "Use this scan", "Capture again"} <= before.keys()
+    view.show_capture(CaptureRow(button="Capture", running=True, fraction=0.3))
+    during = places()
+    assert during.pop("Cancel").isValid()
+    assert during == before
+    view.show_capture(CaptureRow(button="Capture", can_capture=True))
+    assert places() == before
 
 
 def test_views_are_named_where_sensors_are_moved(view: CaptureView, qtbot: QtBot) -> None:
