@@ -872,6 +872,10 @@
             <translation>dagar</translation>
         </message>
         <message>
+            <source>in another window of this computer</source>
+            <translation>i ett annat fönster på den här datorn</translation>
+        </message>
+        <message>
             <source>left: {words}</source>
             <translation>vänster: {words}</translation>
         </message>

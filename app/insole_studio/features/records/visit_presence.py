@@ -1,4 +1,8 @@
-"""Says to other stations which visit is open here, and here who else has it open."""
+"""Says to other stations which visit is open here, and here who else has it open.
+
+The record knows stations and persons; two windows of one person at one station are told apart by a
+lock that each visit has on this computer.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +13,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer
 
 from insole_core.errors import InsoleError
+from insole_core.files.atomic import make_output_folder
+from insole_core.files.file_lock import FileLock
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr
 
@@ -29,6 +35,7 @@ class VisitPresence(QObject):
         self._services = services
         self._clinic = services.clinic
         self._visit_id = ""
+        self._lock: FileLock | None = None
         self._told: tuple[str, ...] = ()
         self._timer = QTimer(self)
         self._timer.setInterval(REFRESH_MS)
@@ -39,7 +46,8 @@ class VisitPresence(QObject):
     def close(self) -> None:
         """Leave the visit at the end of the program."""
         self._timer.stop()
-        if self._visit_id and self._clinic.is_open:
+        is_alone = self._let_go()
+        if is_alone and self._visit_id and self._clinic.is_open:
             try:
                 self._clinic.ask_now(lambda records: records.presence.leave(self._visit_id))
             except InsoleError as error:  # others see soon enough that this station is silent
@@ -50,7 +58,7 @@ class VisitPresence(QObject):
         if before == self._visit_id:
             return
         self._told = ()
-        if before:
+        if self._let_go() and before:
             self._clinic.write(
                 lambda records: records.presence.leave(before), lambda _nothing: None, _ignore
             )
@@ -60,19 +68,40 @@ class VisitPresence(QObject):
         else:
             self._timer.stop()
 
+    def _let_go(self) -> bool:
+        """Free the visit for other windows here; return whether none of them has it open, too."""
+        lock, self._lock = self._lock, None
+        if lock is None:
+            return True
+        is_alone = self._is_free(lock)
+        lock.release()
+        return is_alone
+
+    def _is_free(self, lock: FileLock) -> bool:
+        """Take a lock unless another window has it; where none can be taken nobody is known to."""
+        try:
+            make_output_folder(self._services.paths.locks_folder)
+            return lock.acquire()
+        except InsoleError as error:
+            log.warning("the visit is not locked: %s", error)
+            return True
+
     def _enter(self) -> None:
         visit_id = self._visit_id
+        if self._lock is None:
+            self._lock = FileLock(self._services.paths.locks_folder / f"visit-{visit_id}.lock")
+        here = () if self._is_free(self._lock) else (tr("in another window of this computer"),)
         if not self._clinic.is_writable:
+            self._tell(visit_id, here)
             return
-        self._clinic.ask(
-            CHANNEL,
-            lambda records: records.presence.enter(visit_id),
-            lambda others: self._tell(visit_id, others),
-            _ignore,
-        )
 
-    def _tell(self, visit_id: str, others: Sequence[Present]) -> None:
-        who = tuple(f"{present.author}, {present.station}" for present in others)
+        def tell(others: Sequence[Present]) -> None:
+            there = (f"{present.author}, {present.station}" for present in others)
+            self._tell(visit_id, (*here, *there))
+
+        self._clinic.ask(CHANNEL, lambda records: records.presence.enter(visit_id), tell, _ignore)
+
+    def _tell(self, visit_id: str, who: tuple[str, ...]) -> None:
         if visit_id != self._visit_id or who == self._told:
             return
         self._told = who
