@@ -40,6 +40,11 @@ class Packed:
         """Return points (n, 2) where they lie."""
         return turned(points_mm, self.turn_deg) + self.shift_mm
 
+    def moved(self, step_mm: FloatArray) -> Packed:
+        """Return the same further on by a step (2,)."""
+        x, y = self.shift_mm + step_mm
+        return Packed(self.turn_deg, (float(x), float(y)))
+
 
 def turned(points_mm: FloatArray, turn_deg: Turn) -> FloatArray:
     """Return points (n, 2) turned about the origin by quarters, exactly."""

@@ -224,7 +224,7 @@ def _thin_tabs(tabs: Tabs) -> Message | None:
     return Message(
         "{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the "
         "thinnest {least:.1f} mm: the edge is thin or steep there, or no block stays beside "
-        "it. Hold the piece down when it comes free, or take a larger block.",
+        "it. Hold the piece down when it comes free, or leave more of the block beside it.",
         thin=int(thin.sum()),
         count=len(thin),
         asked=asked_mm,

@@ -324,7 +324,8 @@ def nest_pieces(
     Parameters
     ----------
     gap_mm, margin_mm
-        Between two pieces, and to the sides of the block.
+        Between two pieces, and to the sides of the block, at least: where there is room, a cutter
+        finds its way between piece and side too, and something stays there for the tabs.
     across
         Whether pieces may lie across the block too; a router's notes need them along it.
     marked
@@ -364,12 +365,25 @@ def nest_pieces(
     ]  # fmt: skip
     best = max(tries, key=lambda found: _worth(found, outlines))
     _require_all(best, block)
+    lie = [packed for packed in best if packed is not None]
+    step_mm = _step_off_sides(lie, outlines, (width, length), margin_mm)
     nested = tuple(
         NestedPiece(piece, packed, _piece2block(packed), own)
-        for (piece, own), packed in zip(every, best, strict=True)
-        if packed is not None
+        for (piece, own), packed in zip(every, (one.moved(step_mm) for one in lie), strict=True)
     )
     return DayNest(block, nested, tuple(notes))
+
+
+def _step_off_sides(
+    lie: Sequence[Packed],
+    outlines: Sequence[FloatArray],
+    size_mm: tuple[float, float],
+    margin_mm: float,
+) -> FloatArray:
+    """Return by how much (2,) pieces in a corner go further in: half the free room, or a gap."""
+    ends = [one.applied(outline).max(axis=0) for one, outline in zip(lie, outlines, strict=True)]
+    free_mm = np.array(size_mm) - margin_mm - np.max(ends, axis=0)
+    return np.clip(free_mm / 2, 0.0, max(GAP_MM - margin_mm, 0.0))
 
 
 def _check_sizes(block: Block, gap_mm: float, margin_mm: float) -> None:
@@ -475,8 +489,8 @@ def _require_all(found: Sequence[Packed | None], block: Block) -> None:
     placed = sum(packed is not None for packed in found)
     if placed < len(found):
         raise DesignError(
-            "{placed} of {count} pieces find room on {block}; take a larger block, or nest fewer "
-            "orders.",
+            "{placed} of {count} pieces find room on {block}; take a larger block, less room "
+            "beside the pieces, or fewer orders.",
             placed=placed,
             count=len(found),
             block=block.words,

@@ -10116,8 +10116,8 @@
             <translation>{piece}: {told}</translation>
         </message>
         <message>
-            <source>{placed} of {count} pieces find room on {block}; take a larger block, or nest fewer orders.</source>
-            <translation>{placed} av {count} stycken får plats på {block}; ta ett större block eller lägg ut färre beställningar.</translation>
+            <source>{placed} of {count} pieces find room on {block}; take a larger block, less room beside the pieces, or fewer orders.</source>
+            <translation>{placed} av {count} stycken får plats på {block}; ta ett större block, mindre utrymme bredvid styckena eller färre beställningar.</translation>
         </message>
         <message>
             <source>{place} answers, and asks for a password; type it, or write it into PostgreSQL's password file.</source>
@@ -10376,8 +10376,8 @@
             <translation>{text}: det som spelades in avviker {percent:+.1f} % från den storleken; mät staven som skrevs ut med den igen, och ange avläsningarna med --callipers.</translation>
         </message>
         <message>
-            <source>{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the thinnest {least:.1f} mm: the edge is thin or steep there, or no block stays beside it. Hold the piece down when it comes free, or take a larger block.</source>
-            <translation>{thin} av {count} hållflikar blir tunnare än de {asked:g} mm som begärdes, den tunnaste {least:.1f} mm: kanten är tunn eller brant där, eller inget block blir kvar intill dem. Håll fast stycket när det lossnar, eller ta ett större block.</translation>
+            <source>{thin} of {count} tabs stay thinner than the {asked:g} mm that were asked for, the thinnest {least:.1f} mm: the edge is thin or steep there, or no block stays beside it. Hold the piece down when it comes free, or leave more of the block beside it.</source>
+            <translation>{thin} av {count} hållflikar blir tunnare än de {asked:g} mm som begärdes, den tunnaste {least:.1f} mm: kanten är tunn eller brant där, eller inget block blir kvar intill dem. Håll fast stycket när det lossnar, eller låt mer av blocket bli kvar bredvid det.</translation>
         </message>
         <message>
             <source>{told} And {more} more; verify the order.</source>

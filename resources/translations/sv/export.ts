@@ -400,6 +400,10 @@
             <translation>Par</translation>
         </message>
         <message>
+            <source>Paper: {paper}</source>
+            <translation>Papper: {paper}</translation>
+        </message>
+        <message>
             <source>Papers</source>
             <translation>Papper</translation>
         </message>
@@ -634,6 +638,10 @@
         <message>
             <source>Written as</source>
             <translation>Skrivs som</translation>
+        </message>
+        <message>
+            <source>Written: {name}, to be printed on {paper} paper</source>
+            <translation>Skriven: {name}, att skriva ut på {paper}-papper</translation>
         </message>
         <message>
             <source>Zones</source>

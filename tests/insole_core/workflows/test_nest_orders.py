@@ -127,6 +127,24 @@ def test_all_pieces_lie_apart_within_the_sheet(nest: DayNest) -> None:
     assert (corners.max(axis=0) <= nest.block_mm).all()
 
 
+@pytest.mark.parametrize(
+    ("size_mm", "beside_mm"),
+    [((90.0, 60.0), (12.0, 12.0)), ((60.0, 48.0), (10.0, 4.0)), ((48.0, 200.0), (4.0, 12.0))],
+)
+def test_what_has_room_lies_off_the_sides_so_that_tabs_hold_it(
+    size_mm: tuple[float, float], beside_mm: tuple[float, float]
+) -> None:
+    solid = from_manifold(
+        manifold3d.CrossSection([[(0, 0), (40, 0), (40, 40), (0, 40)]]).extrude(9)
+    )
+    piece = OrderedPiece("26-1", Side.LEFT, solid)
+    width, length = size_mm
+    (lying,) = nest_pieces([piece], Block("board", (length, width, 20.0))).pieces
+    low, high = lying.solid.bounds_mm[:, :2]
+    assert low == pytest.approx(beside_mm)
+    assert (np.array(size_mm) - high >= low - 1e-6).all()
+
+
 def test_left_stays_left(nest: DayNest) -> None:
     """Each is turned about z alone, its great toe on the side where its foot has it."""
     for each in nest.pieces:

@@ -20,15 +20,19 @@ from x_pointer import drag_at_once
 
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
+from insole_core.insole.build import build_insole
 from insole_core.insole.clinic_rules import load_rules
 from insole_core.insole.elements import BrushStroke, HeelCup, HeelSkive, Pelott
+from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.shell import Shell
+from insole_core.solids.solid_outline import outline_of
 from insole_core.workflows.foot_landmarks import metatarsal_line
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.section_plane import SectionPlane
 from insole_studio.features.design.models.color_maps import MapKind
 from insole_studio.features.design.tools.key_point_tool import confidence, shown_points
 from insole_studio.features.design.tools.metatarsal_line import clearance
+from insole_studio.features.export.outline_print import print_outline
 from insole_studio.scene.scene_view import ORBIT_DEG_PER_PX, SceneView
 from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.number_field import NumberField
@@ -512,9 +516,28 @@ def test_the_outline_is_printed_in_true_size(
     assert content.startswith(b"%PDF")
     # 80 × 250 mm and its margin fit on A4: exactly, or a printer that fits the page scales it.
     assert b"/MediaBox [0 0 595.275591 841.889764]" in content
-    lines = [np.ptp(line, axis=0) for line in paths_of_pdf(tmp_path / "outline.pdf")]
+    assert opened.window.statusBar().currentMessage().endswith("to be printed on A4 paper")
+    lines = paths_of_pdf(tmp_path / "outline.pdf")
+    sizes = [np.ptp(line, axis=0) for line in lines]
     within_mm = 0.03  # of 100
-    assert sum(bool(np.allclose(size, [100, 0], atol=within_mm)) for size in lines) == 1
+    assert sum(bool(np.allclose(size, [0, 100], atol=within_mm)) for size in sizes) == 1
+    ink = np.concatenate(lines)  # which all printers can put there
+    assert ink.min(axis=0).min() > 5
+    assert (ink.max(axis=0) < np.array([210, 297]) - 5).all()
+
+
+@pytest.mark.parametrize(("length_mm", "paper"), [(270.0, "A4"), (300.0, "A3")])
+def test_an_outline_is_on_the_smallest_paper_that_holds_it_at_true_size(
+    length_mm: float, paper: str, opened: Application, tmp_path: Path
+) -> None:
+    foot = round_foot(Side.RIGHT)
+    longer = foot.mesh.moved(foot.mesh.vertices * [1.0, length_mm / foot.length_mm, 1.0])
+    scanned = replace(foot, mesh=longer, length_mm=length_mm)
+    insole = build_insole(scanned, InsoleDesign(Side.RIGHT))
+    assert print_outline(insole, opened.case.record.patient.name, tmp_path / "a.pdf") == paper
+    tall_mm = np.ptp(outline_of(insole)[:, 1])
+    sizes_mm = [np.ptp(line[:, 1]) for line in paths_of_pdf(tmp_path / "a.pdf")]
+    assert min(abs(size - tall_mm) for size in sizes_mm) < 0.03
 
 
 def test_touch_mode_widens_what_can_be_grabbed(opened: Application, foot: SceneView) -> None:

@@ -51,8 +51,10 @@ from insole_studio.widgets.number_field import NumberField
 
 _DPI = 1200
 _INCH_MM = 25.4
-_BASE_MM = 2.0
-"""Of the ruler, above the lower edge of the page."""
+_BASE_MM = 7.6
+"""Of the ruler, within the edge of the page: usual printers leave 4 to 5 mm of it white."""
+_CLEAR_MM = 3.4
+"""White between the ruler and what is measured in a picture."""
 _TEXT_MM, _LABEL_MM = 2.2, 2.8
 PAPERS_MM = {
     "A4": (297.0, 210.0),
@@ -119,13 +121,26 @@ def paint_page(painter: QPainter, page: PrintedPage) -> None:
     painter.setPen(QPen(Qt.GlobalColor.black, 0.2, Qt.PenStyle.SolidLine, flat))
     for text, x, y in page.labels:
         _write(painter, text, x, y, _LABEL_MM)
-    base = page.size_mm[1] - _BASE_MM
-    painter.drawLine(QPointF(10, base), QPointF(10 + RULER_MM, base))
-    for x in (10.0, 10.0 + RULER_MM):
-        painter.drawLine(QPointF(x, base - 1.5), QPointF(x, base + 1))
+    painter.save()
+    _go_to_ruler(painter, page)
+    painter.drawLine(QPointF(0, 0), QPointF(RULER_MM, 0))
+    for x in (0.0, RULER_MM):
+        painter.drawLine(QPointF(x, -1.5), QPointF(x, 1))
     ruler = tr("This line is 100 mm long. If not, print without scaling.")
-    note = f"{ruler}  {translate_core_message(page.note)}"
-    _write(painter, note, 14 + RULER_MM, base, _TEXT_MM)
+    _write(painter, ruler, 4 + RULER_MM, -1.3, _TEXT_MM)
+    _write(painter, translate_core_message(page.note), 4 + RULER_MM, 1.3, _TEXT_MM)
+    painter.restore()
+
+
+def _go_to_ruler(painter: QPainter, page: PrintedPage) -> None:
+    """Go to where the ruler begins: along the lower edge, or the left one where it is wider."""
+    left, low = page.boxes_mm[:, 0].min(), page.boxes_mm[:, [1, 3]].sum(axis=1).max()
+    below = page.size_mm[1] - low
+    if below < _BASE_MM + _CLEAR_MM and left > below:
+        painter.translate(_BASE_MM, page.size_mm[1] - 10)
+        painter.rotate(-90)
+    else:
+        painter.translate(10, page.size_mm[1] - min(_BASE_MM, max(below - _CLEAR_MM, 1.5)))
 
 
 def _write(painter: QPainter, text: str, x: float, y: float, height_mm: float) -> None:

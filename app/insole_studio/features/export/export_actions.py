@@ -337,12 +337,13 @@ class ExportActions(StageWindow["ExportStage"]):
             return
         text = "   ".join(part for part in (whose(record), record.patient.visit) if part)
 
-        def write(progress: Progress) -> None:
+        def write(progress: Progress) -> str:
             insole = build_insole(foot, design, progress.part(0.0, 0.9))
             progress.step(0.9, tr("Writing the file"))
-            print_outline(insole, text, path)
+            return print_outline(insole, text, path)
 
-        def done(_nothing: None) -> None:
-            self._messages.say(tr("Written: {name}").format(name=path.name))
+        def done(paper: str) -> None:
+            told = tr("Written: {name}, to be printed on {paper} paper")
+            self._messages.say(told.format(name=path.name, paper=paper))
 
         self._services.run(CHANNEL, write, done)

@@ -6,7 +6,16 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QMarginsF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QFont, QPageLayout, QPageSize, QPainter, QPdfWriter, QPen, QPolygonF
+from PySide6.QtGui import (
+    QFont,
+    QPageLayout,
+    QPageSize,
+    QPainter,
+    QPdfWriter,
+    QPen,
+    QPolygonF,
+    QTextOption,
+)
 
 from insole_core.files.atomic import replacing_file
 from insole_core.geometry.arrays import FloatArray
@@ -19,12 +28,15 @@ from insole_studio.texts import tr
 
 DPI = 600
 RULER_MM = 100.0
-_ROOM_MM = 11.0
-_A4_MM = (210.0, 297.0)
-_A3_MM = (297.0, 420.0)
+_ROOM_MM = 6.0
+"""To the edges of the paper: usual printers leave 4 to 5 mm of them white."""
+_BESIDE_MM = 44.0
+"""At the left, for words and ruler: so an insole of 285 mm finds room on A4."""
+_PAPERS_MM = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
+"""Upright; the last is taken for what finds room on none."""
 
 
-def print_outline(insole: Insole, whose: str, path: Path) -> None:
+def print_outline(insole: Insole, whose: str, path: Path) -> str:
     """Write the outline and the pads at 1:1 as a PDF of one page, seen from the foot's side.
 
     Parameters
@@ -36,13 +48,19 @@ def print_outline(insole: Insole, whose: str, path: Path) -> None:
     path
         The PDF file.
 
+    Returns
+    -------
+    str
+        Name of the paper that it has to be printed on.
+
     Raises
     ------
     OutputError
         If the file cannot be written.
     """
     outline = outline_of(insole)
-    page_mm = _page_for(outline)
+    paper = _paper_for(outline)
+    page_mm = _PAPERS_MM[paper]
     content = memory()
     writer = QPdfWriter(content)
     writer.setResolution(DPI)
@@ -52,28 +70,27 @@ def print_outline(insole: Insole, whose: str, path: Path) -> None:
     writer.setPageLayout(layout)
     painter = QPainter(writer)
     painter.scale(DPI / 25.4, DPI / 25.4)  # from here on in mm
-    _draw(painter, insole, outline, page_mm, whose)
+    _draw_outline(painter, insole, outline, page_mm)
+    words = tr("Paper: {paper}").format(paper=paper)
+    _draw_beside(painter, page_mm, whose, words)
     painter.end()
     with replacing_file(path) as beside:
         beside.write_bytes(exact_pages(content, [page_mm]))
+    return paper
 
 
-def _page_for(outline: FloatArray) -> tuple[float, float]:
-    wide, tall = np.ptp(outline, axis=0) + 2 * _ROOM_MM
-    fits = wide <= _A4_MM[0] and tall + _ROOM_MM <= _A4_MM[1]
-    return _A4_MM if fits else _A3_MM
+def _paper_for(outline: FloatArray) -> str:
+    needed = np.ptp(outline, axis=0) + 2 * _ROOM_MM + np.array([_BESIDE_MM, 0.0])
+    fitting = (name for name, size_mm in _PAPERS_MM.items() if (needed <= size_mm).all())
+    return next(fitting, list(_PAPERS_MM)[-1])
 
 
-def _draw(
-    painter: QPainter,
-    insole: Insole,
-    outline: FloatArray,
-    page_mm: tuple[float, float],
-    whose: str,
+def _draw_outline(
+    painter: QPainter, insole: Insole, outline: FloatArray, page_mm: tuple[float, float]
 ) -> None:
-    low, high = outline.min(axis=0), outline.max(axis=0)
-    left = (page_mm[0] - (high - low)[0]) / 2 - low[0]
-    bottom = _ROOM_MM + 4.0 + high[1]
+    middle = (outline.min(axis=0) + outline.max(axis=0)) / 2
+    left = (page_mm[0] + _BESIDE_MM) / 2 - middle[0]
+    bottom = page_mm[1] / 2 + middle[1]
 
     def on_page(places: FloatArray) -> QPolygonF:
         return QPolygonF([QPointF(left + x, bottom - y) for x, y in places])
@@ -83,22 +100,23 @@ def _draw(
     painter.setPen(QPen(Qt.GlobalColor.darkGray, 0.25))
     for pad in insole.design.of(Pelott):
         painter.drawPolygon(on_page(pad_outline(pad, 180)))
+
+
+def _draw_beside(painter: QPainter, page_mm: tuple[float, float], whose: str, words: str) -> None:
+    """Write whose outline it is, and draw a ruler to verify the scale: printers shrink pages."""
     # Without caps, which would make the ruler longer by its width.
     flat = Qt.PenCapStyle.FlatCap
     painter.setPen(QPen(Qt.GlobalColor.black, 0.2, Qt.PenStyle.SolidLine, flat))
     font = QFont(painter.font())
     font.setPixelSize(4)
     painter.setFont(font)
-    painter.drawText(QRectF(10, 5, page_mm[0] - 20, 8), Qt.AlignmentFlag.AlignLeft, whose)
-    _draw_ruler(painter, page_mm)
-
-
-def _draw_ruler(painter: QPainter, page_mm: tuple[float, float]) -> None:
-    """Draw a ruler to verify the scale with: printers tend to shrink pages."""
-    y = page_mm[1] - 10.0
-    painter.drawLine(QPointF(10, y), QPointF(10 + RULER_MM, y))
-    for x in np.arange(0.0, RULER_MM + 1, 10.0):
-        painter.drawLine(QPointF(10 + x, y), QPointF(10 + x, y - (3 if x % 50 == 0 else 1.5)))
-    words = QRectF(14 + RULER_MM, y - 5, page_mm[0] - RULER_MM - 20, 8)
-    text = tr("This line is 100 mm long. If not, print without scaling.")
-    painter.drawText(words, Qt.AlignmentFlag.AlignLeft, text)
+    wrapped = QTextOption()
+    wrapped.setWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
+    x, top = _ROOM_MM + 2.0, page_mm[1] - _ROOM_MM - 4.0 - RULER_MM
+    painter.drawText(QRectF(x, _ROOM_MM, _BESIDE_MM - 2.0, top - 20.0), whose, wrapped)
+    painter.drawLine(QPointF(x, top), QPointF(x, top + RULER_MM))
+    for y in np.arange(0.0, RULER_MM + 1, 10.0):
+        painter.drawLine(QPointF(x, top + y), QPointF(x + (3 if y % 50 == 0 else 1.5), top + y))
+    length = tr("This line is 100 mm long. If not, print without scaling.")
+    at = QRectF(x + 5.0, top, _BESIDE_MM - 7.0, RULER_MM)
+    painter.drawText(at, f"{length}\n\n{words}", wrapped)

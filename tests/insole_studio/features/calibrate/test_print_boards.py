@@ -83,8 +83,9 @@ def test_a_board_is_saved_at_true_size(
     assert np.allclose(sizes, 25, atol=0.01)
 
 
-def test_the_painted_board_is_found_with_its_true_size_and_a_ruler() -> None:
-    board, px_per_mm = Chequerboard(10, 7, 25), 5.0
+@pytest.mark.parametrize("board", [Chequerboard(10, 7, 25), Chequerboard(9, 5, 25)])
+def test_the_painted_board_is_found_with_its_true_size_and_a_ruler(board: Chequerboard) -> None:
+    px_per_mm = 5.0
     page = chequerboard_page(board, PAPERS_MM["A4"])
     width, height = (round(px_per_mm * side) for side in page.size_mm)
     image = QImage(width, height, QImage.Format.Format_Grayscale8)
@@ -95,12 +96,24 @@ def test_the_painted_board_is_found_with_its_true_size_and_a_ruler() -> None:
     painter.end()
     pixels = np.frombuffer(image.constBits(), np.uint8).reshape(height, image.bytesPerLine())
     grey = np.ascontiguousarray(pixels[:, :width])
-    found = board.find("print", grey)
-    steps = np.linalg.norm(np.diff(found.pixels.reshape(7, 10, 2), axis=1), axis=-1)
+    found = board.find("print", grey).pixels.reshape(board.rows, board.columns, 2)
+    steps = np.linalg.norm(np.diff(found, axis=1), axis=-1)
     assert np.allclose(steps / px_per_mm, 25, atol=0.05)
-    base = round(px_per_mm * (page.size_mm[1] - 2.0))
-    ruler = np.flatnonzero((grey[base - 1 : base + 2] < 128).any(0))[: round(100 * px_per_mm)]
-    assert np.ptp(ruler) / px_per_mm == pytest.approx(100, abs=0.5)
+    low = page.boxes_mm[:, :2].min(axis=0)
+    high = (page.boxes_mm[:, :2] + page.boxes_mm[:, 2:]).max(axis=0)
+    x0, y0, x1, y1 = np.rint(px_per_mm * np.concatenate([low, high])).astype(int)
+    grey[y0 : y1 + 1, x0 : x1 + 1] = 255
+    ink = np.argwhere(grey < 128)[:, ::-1] / px_per_mm  # of ruler and words
+    assert (ink.min(axis=0) > 5).all()  # usual printers leave less white than that
+    assert (ink.max(axis=0) < np.array(page.size_mm) - 5).all()
+    lines = [*(grey < 128), *(grey < 128).T]
+    assert max(map(longest_run, lines)) / px_per_mm == pytest.approx(100, abs=0.5)
+
+
+def longest_run(line: np.ndarray) -> int:
+    """Return how many neighbours in a row of bools (n,) are true."""
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], line, [False]])))
+    return int(np.diff(ends)[::2].max(initial=0))
 
 
 def test_other_boards_and_templates(dialog: PrintDialog, qtbot: QtBot, tmp_path: Path) -> None:
