@@ -129,7 +129,7 @@ def test_all_pieces_lie_apart_within_the_sheet(nest: DayNest) -> None:
 
 @pytest.mark.parametrize(
     ("size_mm", "beside_mm"),
-    [((90.0, 60.0), (12.0, 12.0)), ((60.0, 48.0), (10.0, 4.0)), ((48.0, 200.0), (4.0, 12.0))],
+    [((90.0, 100.0), (12.0, 12.0)), ((48.0, 60.0), (4.0, 10.0)), ((60.0, 200.0), (10.0, 12.0))],
 )
 def test_what_has_room_lies_off_the_sides_so_that_tabs_hold_it(
     size_mm: tuple[float, float], beside_mm: tuple[float, float]
