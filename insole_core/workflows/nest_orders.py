@@ -383,7 +383,7 @@ def _step_off_sides(
     """Return by how much (2,) pieces in a corner go further in: half the free room, or a gap."""
     ends = [one.applied(outline).max(axis=0) for one, outline in zip(lie, outlines, strict=True)]
     free_mm = np.array(size_mm) - margin_mm - np.max(ends, axis=0)
-    return np.clip(free_mm / 2, 0.0, max(GAP_MM - margin_mm, 0.0))
+    return np.asarray(np.clip(free_mm / 2, 0.0, max(GAP_MM - margin_mm, 0.0)))
 
 
 def _check_sizes(block: Block, gap_mm: float, margin_mm: float) -> None:
