@@ -249,6 +249,7 @@ ASKING: dict[str, Callable[[Questions, str], object]] = {
     ),
     "replace own": lambda questions, evil: questions.may_replace_own(evil),
     "discard": lambda questions, evil: questions.may_discard(evil),
+    "namesake": lambda questions, evil: questions.about_namesake(evil, "Open", "Add"),
     "text": lambda questions, evil: questions.text("Name", evil, evil),
 }
 

@@ -22,7 +22,7 @@ from insole_studio.services.files import (
     complete_name,
     template_kinds,
 )
-from insole_studio.services.questions import Questions
+from insole_studio.services.questions import Namesake, Questions
 from insole_studio.settings import Settings, load_settings, save_settings
 from insole_studio.user_paths import UserPaths
 
@@ -132,6 +132,19 @@ def test_what_is_there_is_kept_or_goes(
     with answering("Keep it", goes):
         assert not asked(Questions(parent), "Wedge")
         assert asked(Questions(parent), "Wedge")
+
+
+def test_a_namesake_is_named_and_is_the_same_another_or_nobody(qapp: QApplication) -> None:
+    parent = QWidget()
+    verbs = ("Open this patient", "Add another patient")
+    with answering(*verbs, "Add nobody") as given:
+        answers = [
+            Questions(parent).about_namesake("Anna Berg, 1970-02-28 (X-77)", *verbs)
+            for _ in Namesake
+        ]
+    assert answers == list(Namesake)
+    sentence = "The record has this name and birth date already: Anna Berg, 1970-02-28 (X-77)."
+    assert given.asked == [sentence] * 3
 
 
 @pytest.mark.slow
