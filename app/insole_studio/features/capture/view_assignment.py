@@ -13,12 +13,12 @@ _FURTHER_VIEWS = tuple(f"view_{number}" for number in range(4, 12))
 
 
 class ViewAssignment:
-    """Views by serial number; disconnected sensors keep theirs.
+    """Views by serial number, each of one sensor; that of a disconnected one stays until taken.
 
     Parameters
     ----------
     pairs
-        View and serial number; of a sensor that occurs twice the first pair counts.
+        View and serial number; of a sensor or a view that occurs twice the first pair counts.
     """
 
     def __init__(self, pairs: Iterable[tuple[str, str]]) -> None:
@@ -26,11 +26,14 @@ class ViewAssignment:
         self.take(pairs)
 
     def take(self, pairs: Iterable[tuple[str, str]]) -> None:
-        """Assign views to the sensors named in the pairs."""
+        """Assign views to the sensors named in the pairs; others that had them have none."""
         first: dict[str, str] = {}
         for view, serial in pairs:
-            first.setdefault(serial, view)
-        self._views |= first
+            if serial not in first and view not in first.values():
+                first[serial] = view
+        taken = set(first.values())
+        kept = {serial: view for serial, view in self._views.items() if view not in taken}
+        self._views = kept | first
 
     @property
     def pairs(self) -> list[tuple[str, str]]:
@@ -56,7 +59,7 @@ class ViewAssignment:
         if serial not in self._views:
             taken = {view for other, view in self._views.items() if other in present}
             names = (*(VIEWS_OF_BOTH if side == BOTH else USUAL_VIEWS), *_FURTHER_VIEWS)
-            self._views[serial] = next(name for name in names if name not in taken)
+            self.take([(next(name for name in names if name not in taken), serial)])
 
     def name(self, serial: str, view: str) -> None:
         """Assign a view to a sensor; the sensor that had it gets this one's view."""

@@ -195,6 +195,23 @@ def test_without_sensors_it_says_why(bench: Bench) -> None:
     assert not bench.panel.capture.can_capture
 
 
+def test_each_view_has_one_sensor_whichever_come_and_go(bench: Bench) -> None:
+    """One that comes back after its view was taken: captures told that a view is named twice."""
+
+    def views(*serials: str) -> dict[str, str]:
+        states = (SensorState(s, "1414", 1, i, 30.0) for i, s in enumerate(serials))
+        bench.tell(Sensors(tuple(states)))
+        return {row.serial: row.view for row in bench.panel.rows}
+
+    assert views("A1", "B2") == {"A1": "right", "B2": "left"}
+    assert views("A1", "C3") == {"A1": "right", "C3": "left"}
+    assert views("A1", "B2", "C3") == {"A1": "right", "B2": "top", "C3": "left"}
+    bench.presenter.name_view("B2", "left")
+    assert views("A1", "B2", "C3") == {"A1": "right", "B2": "left", "C3": "top"}
+    bench.panel.capture_requested.emit()
+    assert sorted(bench.started().plan.views) == ["left", "right", "top"]
+
+
 def test_it_says_why_another_sensor_is_missing(bench: Bench) -> None:
     state = SensorState("A1", "1414", 1, 0, 30.0)
     bench.tell(Sensors((state,), "The library is missing; install it."))
