@@ -45,7 +45,8 @@ _ZEROS: Final = {
     ("middle", "top"): "the middle of the block, its upper side",
     ("middle", "bottom"): "the middle of the block, the surface of the board",
 }
-_EDGES: Final = (("least x", "greatest x"), ("least y", "greatest y"))
+_EDGES: Final = (("left", "right"), ("front", "back"))
+"""As the operator and the picture see them: x to the right, y away."""
 _FLIPS: Final = {
     "length": "its middle line along its length",
     "width": "its middle line along its width",
@@ -269,11 +270,18 @@ def _clamps(plan: MillingPlan) -> Message:
             "by vacuum or tape",
             room=_CLAMP_MM,
         )
+    edges, safe = joined(free), number_message(plan.machine.safe_height_mm)
+    if any(each.name == "dowels" for each in plan.operations):
+        return Message(
+            "on free edges alone ({edges}), beside the dowels, and no higher than {safe} mm above "
+            "the block",
+            edges=edges,
+            safe=safe,
+        )
     return Message(
-        "on free edges alone ({edges}), beside the dowels, and no higher than {safe} mm above "
-        "the block",
-        edges=joined(free),
-        safe=number_message(plan.machine.safe_height_mm),
+        "on free edges alone ({edges}), and no higher than {safe} mm above the block",
+        edges=edges,
+        safe=safe,
     )
 
 

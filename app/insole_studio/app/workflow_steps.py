@@ -21,12 +21,11 @@ def steps_of(record: CaseRecord, exported: bool) -> list[WorkflowStep]:
     exported
         Whether the case has been exported since its last change.
     """
-    prescribed = record.design is not None and bool(record.design.corrections)
     done = {
         "patient": bool(record.patient.name),
         "capture": record.foot is not None,
         "foot": record.foot is not None,
-        "design": prescribed and exported,
+        "design": exported,
         "export": exported,
     }
     keys = list(done)

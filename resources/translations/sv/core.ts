@@ -5428,6 +5428,10 @@
             <translation>djupets b</translation>
         </message>
         <message>
+            <source>back</source>
+            <translation>bak</translation>
+        </message>
+        <message>
             <source>backed up</source>
             <translation>säkerhetskopierad</translation>
         </message>
@@ -6120,6 +6124,10 @@
             <translation>från {low:g} kPa</translation>
         </message>
         <message>
+            <source>front</source>
+            <translation>fram</translation>
+        </message>
+        <message>
             <source>front edge</source>
             <translation>framkant</translation>
         </message>
@@ -6158,14 +6166,6 @@
         <message>
             <source>greatest width of the heel at 10 to 22 % of the length</source>
             <translation>hälens största bredd vid 10 till 22 % av längden</translation>
-        </message>
-        <message>
-            <source>greatest x</source>
-            <translation>största x</translation>
-        </message>
-        <message>
-            <source>greatest y</source>
-            <translation>största y</translation>
         </message>
         <message>
             <source>hammer toe</source>
@@ -6860,14 +6860,6 @@
             <translation>minst 3 under hälen är vanligt; över 95 kg klinikens egen bedömning</translation>
         </message>
         <message>
-            <source>least x</source>
-            <translation>minsta x</translation>
-        </message>
-        <message>
-            <source>least y</source>
-            <translation>minsta y</translation>
-        </message>
-        <message>
             <source>left</source>
             <translation>vänster</translation>
         </message>
@@ -7426,6 +7418,10 @@
         <message>
             <source>of unknown age</source>
             <translation>av okänd ålder</translation>
+        </message>
+        <message>
+            <source>on free edges alone ({edges}), and no higher than {safe} mm above the block</source>
+            <translation>bara på fria kanter ({edges}), och högst {safe} mm ovanför blocket</translation>
         </message>
         <message>
             <source>on free edges alone ({edges}), beside the dowels, and no higher than {safe} mm above the block</source>

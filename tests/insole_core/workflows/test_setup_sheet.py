@@ -100,6 +100,7 @@ def test_dowels_stand_on_the_sheet_where_both_programs_bore_them(written: Writte
     named = re.findall(r"X(-?[\d.]+) Y(-?[\d.]+)", written.sheet.split("Dowels, from")[1])[:2]
     expected = [[float(number) for number in place] for place in named]
     assert len(expected) == 2
+    assert "), beside the dowels, and no higher than" in written.sheet
     assert expected[0] != expected[1]
     for program in (written.program, written.pins):
         assert holes_of(program) == pytest.approx(np.array(expected), abs=0.1)
@@ -128,16 +129,22 @@ def test_without_tabs_none_are_cut(tmp_path: Path) -> None:
         contour=replace(machine.contour, tabs=0),
         finishing=replace(machine.finishing, step_over_mm=1.0),
     )
-    box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((10, 10, 0)))
-    plan = plan_milling([box], (40.0, 40.0, 8.0), machine, feet=[FootInBlock(Side.LEFT)])
+    box = from_manifold(manifold3d.Manifold.cube((20, 20, 5)).translate((10, 40, 0)))
+    plan = plan_milling([box], (90.0, 100.0, 8.0), machine, feet=[FootInBlock(Side.LEFT)])
     places = ExportPaths(
         tmp_path / "P.stl", programs=(tmp_path / "P.nc",), setup_sheet=tmp_path / "P.pdf"
     )
-    block = Block("EVA", (40.0, 40.0, 8.0))
+    block = Block("EVA", (90.0, 100.0, 8.0))
     write_milling(plan, block, places, places, identification={"pseudonym": "P-7"})
     sheet = " ".join(text_of_pdf(tmp_path / "P.pdf").split())
     assert "Cut the tabs" not in sheet
     assert "the last cut has set them free" in sheet
+    edges = re.search(r"on free edges alone \((.*?)\), and no higher than", sheet)
+    assert edges is not None  # beside no dowels: there are none
+    rooms = dict(re.findall(r"(left|right|front|back) (\d+) mm", edges[1]))
+    assert "left" not in rooms  # 10 mm, of which the contour takes some
+    assert int(rooms["right"]) in range(50, 60)
+    assert rooms.keys() >= {"front", "back"}
 
 
 @pytest.mark.parametrize(
