@@ -27,6 +27,8 @@ from insole_studio.texts import localised, tr
 from insole_studio.widgets.chart_ticks import chart_ticks
 
 LEFT_PX, RIGHT_PX, TOP_PX, BOTTOM_PX = 40.0, 12.0, 20.0, 22.0
+SWATCH_PX, GAP_PX = 20, 20
+"""In the legend, from the line of a curve to its name, and on to the next one."""
 LEAST_HIGH_MM, ABOVE_MM, ABOVE_FLANK_MM = 16.0, 3.0, 8.0
 """Least height that is shown, and room above the highest station; more for a flank above it."""
 GRAB_PX, TOUCH_GRAB_PX = 12.0, 26.0
@@ -463,24 +465,38 @@ class RimChart(QWidget):
         left = min(on_rim.x() + 6, frame.right() - wide)
         painter.drawText(QPointF(left, max(on_rim.y() - 6, frame.top() + 10)), text)
 
+    @property
+    def legend(self) -> list[tuple[str, QRectF]]:
+        """The names of the curves and what the numbers are, and the place of each above the chart.
+
+        What has no room ends in "…".
+        """
+        frame, metrics = self._frame(), self.fontMetrics()
+        x, end = frame.left() + 4, frame.right()
+        written: list[tuple[str, QRectF]] = []
+        for name in (tr("Rim"), tr("Flank of the foot")):
+            x += SWATCH_PX
+            text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, int(end - x) - 2)
+            wide = metrics.horizontalAdvance(text) + 2
+            written.append((text, QRectF(x, 0, wide, TOP_PX)))
+            x += wide + GAP_PX
+        unit = metrics.elidedText(
+            tr("mm over the heel"), Qt.TextElideMode.ElideRight, max(int(end - x), 0)
+        )
+        wide = metrics.horizontalAdvance(unit)
+        return [*written, (unit, QRectF(end - wide, 0, wide, TOP_PX))]
+
     def _paint_legend(self, painter: QPainter) -> None:
-        x, y = self._frame().left() + 4, TOP_PX / 2
-        for text, color in (
-            (tr("Rim"), self.palette().highlight().color()),
-            (tr("Flank of the foot"), QColor(SKIN)),
-        ):
+        *names, (unit, beside) = self.legend
+        colors = self.palette().highlight().color(), QColor(SKIN)
+        for (text, place), color in zip(names, colors, strict=True):
             painter.setPen(QPen(color, 2))
-            painter.drawLine(QPointF(x, y), QPointF(x + 14, y))
+            line = QPointF(place.left() - SWATCH_PX, TOP_PX / 2)
+            painter.drawLine(line, line + QPointF(14, 0))
             painter.setPen(self.palette().windowText().color())
-            wide = painter.fontMetrics().horizontalAdvance(text)
-            painter.drawText(
-                QRectF(x + 20, 0, wide + 2, TOP_PX), Qt.AlignmentFlag.AlignCenter, text
-            )
-            x += wide + 40
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
         painter.setPen(self.palette().placeholderText().color())
-        whole = QRectF(self._frame().left(), 0, self._frame().width(), TOP_PX)
-        end = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(whole, end, tr("mm over the heel"))
+        painter.drawText(beside, Qt.AlignmentFlag.AlignCenter, unit)
 
 
 def _line(s_mm: FloatArray, z_mm: FloatArray) -> QPolygonF:

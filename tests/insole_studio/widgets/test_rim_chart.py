@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -164,3 +166,17 @@ def test_rim_flank_and_stations_are_painted_and_a_sentence_in_their_place(chart:
 def test_what_is_selected_is_said_to_a_screen_reader(chart: RimChart) -> None:
     chart.show_graph(graph(), 1)
     assert chart.accessibleDescription() == TEXTS[1]
+
+
+@pytest.mark.parametrize("wide", [660, 300, 220])
+def test_the_legend_of_a_narrow_chart_is_not_written_over_itself(
+    chart: RimChart, wide: int
+) -> None:
+    chart.resize(wide, 160)
+    texts, places = zip(*chart.legend, strict=True)
+    for one, following in itertools.pairwise(places):
+        assert one.right() <= following.left()
+    assert places[-1].right() <= wide
+    whole = ("Rim", "Flank of the foot", "mm over the heel")
+    assert (texts == whole) is (wide == 660)
+    assert all(text.endswith("…") or text in ("", *whole) for text in texts)
