@@ -258,10 +258,10 @@ class PrintDialog(QDialog):
         self._form.addRow(tr("Paper"), self.paper)
         self._form.addRow(tr("Inner corners"), corners)
         self._form.addRow(tr("Side of a square"), self.square)
-        hint = QLabel(
+        self._hint = QLabel(
             tr("Print at 100 %, check the line at the edge, and glue the page to something stiff.")
         )
-        hint.setWordWrap(True)
+        self._hint.setWordWrap(True)
         close = QPushButton(tr("Close"))
         close.clicked.connect(self.close)
         buttons = QHBoxLayout()
@@ -272,7 +272,7 @@ class PrintDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.addLayout(self._form)
         layout.addWidget(self._preview, 1)
-        for label in (hint, self._problem, self._done):
+        for label in (self._hint, self._problem, self._done):
             layout.addWidget(label)
         layout.addLayout(buttons)
 
@@ -285,12 +285,20 @@ class PrintDialog(QDialog):
             self._pages = self._chosen()
         except InsoleError as error:
             self._pages = ()
-            self._problem.say(str(error))
+            self._tell(self._problem, str(error))
         else:
             self._problem.say("")
         self._preview.show_page(self._pages[0] if self._pages else None)
         for button in (self.save, self.print):
             button.setEnabled(bool(self._pages))
+
+    def _tell(self, label: MessageLabel, sentence: str) -> None:
+        """Say something, and let the dialog grow by it: else words would lie over the preview."""
+        label.say(sentence)
+        layout = self.layout()
+        if self.isVisible() and layout is not None:
+            height_px = layout.totalHeightForWidth(self.width())
+            self.resize(self.width(), max(self.height(), height_px))
 
     def _chosen(self) -> list[PrintedPage]:
         paper_mm = PAPERS_MM[self.paper.currentData()]
@@ -308,9 +316,9 @@ class PrintDialog(QDialog):
         try:
             write_pdf(self._pages, path)
         except InsoleError as error:
-            self._problem.say(str(error))
+            self._tell(self._problem, str(error))
         else:
-            self._done.say(tr("Saved: {path}").format(path=path))
+            self._tell(self._done, tr("Saved: {path}").format(path=path))
 
     def _print(self) -> None:
         printer = self._ask_printer()

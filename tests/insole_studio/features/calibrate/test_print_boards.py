@@ -77,6 +77,8 @@ def test_a_board_is_saved_at_true_size(
     choose(qtbot, dialog, "chequerboard", paper)
     qtbot.mouseClick(dialog.save, Qt.MouseButton.LeftButton)
     pdf = (tmp_path / f"chequerboard-{paper.lower()}.pdf").read_bytes()
+    preview, words = dialog._preview.geometry(), dialog._hint.geometry()
+    assert not preview.intersects(words)  # though there is one line more by now
     assert papers_mm(pdf) == [pytest.approx(PAPERS_MM[paper], abs=1e-4)]
     sizes = drawn_boxes_mm(pdf)
     assert len(sizes) == 44
