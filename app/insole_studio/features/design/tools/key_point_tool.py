@@ -187,18 +187,24 @@ def distances(annotations: Annotations) -> list[tuple[str, str, float]]:
 
 
 def _carry(case: Case, press: PointerEvent, name: str, sentence: str) -> Gesture:
+    """Let a point follow the pointer; one that leaves the foot at once stays where it is."""
     annotations, event = case.record.annotations, press
     start = shown_points(case).get(name)
     on_skin = _is_touched(press, start)
+    is_placed = False
     while True:
         touched = event.touched_mm if on_skin else (_shifted(start, press, event),)
         if touched:
             marked = annotations.with_key_point(KeyPoint(name, _place(touched[-1])))
             case.preview(marked)
+            is_placed = start is None or event is not press
         if event.phase is Phase.RELEASE:
             break
         event = yield
-    case.apply(marked, sentence)
+    if is_placed:
+        case.apply(marked, sentence)
+    else:
+        case.end_preview()
 
 
 def _is_touched(press: PointerEvent, start: tuple[float, float, float] | None) -> bool:
