@@ -114,6 +114,11 @@ class MeasuredSession:
         is_of_two = self.is_of_two or len(self.session.manifest.sides) > 1
         return replace(self, session=self.session.of_foot(side), is_of_two=is_of_two)
 
+    def taken_as(self, side: Side) -> MeasuredSession:
+        """Take the session of one foot as that of a side, whatever was said at its recording."""
+        manifest = replace(self.session.manifest, side=side)
+        return replace(self, session=replace(self.session, manifest=manifest))
+
     def with_edits(self, edits: HandEdits) -> MeasuredSession:
         """Replace the manual corrections; the measurements stay."""
         return replace(self, session=replace(self.session, edits=edits))

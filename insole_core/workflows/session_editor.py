@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from insole_core.errors import OutputError
+from insole_core.geometry.side import Side
 from insole_core.history import History
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import RegistrationLimits, ViewResult
@@ -62,6 +63,10 @@ class SessionEditor:
     def box(self) -> Box:
         """Volume of interest, reference frame."""
         return self.opened.box
+
+    def take_as(self, side: Side) -> None:
+        """Take the session of one foot as that of this side; the recording stays as it is."""
+        self.opened = self.opened.taken_as(side)
 
     def apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
         """Replace the corrections, save them and update the poses.

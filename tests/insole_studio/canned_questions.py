@@ -7,7 +7,14 @@ from pathlib import Path
 
 from insole_core.geometry.side import Side
 from insole_studio.services.files import Kept
-from insole_studio.services.questions import Answer, InUse, Namesake, SameSide, Unsaved
+from insole_studio.services.questions import (
+    Answer,
+    InUse,
+    Namesake,
+    OtherFoot,
+    SameSide,
+    Unsaved,
+)
 from insole_studio.widgets.form_parts import Field
 
 
@@ -38,6 +45,9 @@ class CannedQuestions:
     def about_unsaved(self, _name: str) -> Answer:
         self.asked.append("unsaved")
         return self.unsaved
+
+    def about_other_foot(self, sentence: str, _shown: Side) -> OtherFoot:
+        return OtherFoot.INSIST if self.open_anyway(sentence) else OtherFoot.CANCEL
 
     def use_unfinished(self, sentence: str) -> bool:
         return self.open_anyway(sentence)

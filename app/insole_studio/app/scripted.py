@@ -24,7 +24,7 @@ from insole_studio.app.bootstrap import (
 from insole_studio.jobs import Jobs
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.services.files import Kept, complete_name
-from insole_studio.services.questions import Answer, InUse, Questions, SameSide, Unsaved
+from insole_studio.services.questions import Answer, InUse, OtherFoot, Questions, SameSide, Unsaved
 from insole_studio.texts import tr
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.form_parts import Field
@@ -81,6 +81,10 @@ class _AnsweredQuestions(Questions):
     def open_anyway(self, _sentence: str) -> bool:
         """Return whether to continue."""
         return self.answers.anyway
+
+    def about_other_foot(self, _sentence: str, _shown: Side) -> OtherFoot:
+        """Return whether to insist on the side that was said."""
+        return OtherFoot.INSIST if self.answers.anyway else OtherFoot.CANCEL
 
     def use_unfinished(self, _sentence: str) -> bool:
         """Return whether to use a capture that lacks views."""

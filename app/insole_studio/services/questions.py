@@ -42,6 +42,14 @@ class SameSide(Enum):
     CANCEL = auto()
 
 
+class OtherFoot(Enum):
+    """What to do with a capture whose shape is that of the other foot than was said."""
+
+    TAKE = auto()
+    INSIST = auto()
+    CANCEL = auto()
+
+
 class InUse(Enum):
     """How to open a case that another window has open."""
 
@@ -102,12 +110,31 @@ class Questions:
         return Questions(window, self._folders)
 
     def open_anyway(self, sentence: str) -> bool:
-        """Ask whether to continue although the shape is that of the other foot."""
+        """Ask whether to continue although the feet contradict their places."""
         choices = [
             _Choice(tr("Open anyway"), True, _ACCEPT),
             _Choice(tr("Do not open"), False, _REJECT),
         ]
         return self._choose(sentence, choices, default=False)
+
+    def about_other_foot(self, sentence: str, shown: Side) -> OtherFoot:
+        """Ask which foot it is, whose shape is not that of the side that was said.
+
+        Parameters
+        ----------
+        shown
+            The side that the shape shows.
+        """
+        take = {
+            Side.LEFT: tr("Take it as a left foot"),
+            Side.RIGHT: tr("Take it as a right foot"),
+        }
+        choices = [
+            _Choice(take[shown], OtherFoot.TAKE, _ACCEPT),
+            _Choice(tr("Open anyway"), OtherFoot.INSIST, _ACT),
+            _Choice(tr("Do not open"), OtherFoot.CANCEL, _REJECT),
+        ]
+        return self._choose(sentence, choices, default=OtherFoot.TAKE)
 
     def use_unfinished(self, sentence: str) -> bool:
         """Ask whether to use a capture that lacks some of its views."""

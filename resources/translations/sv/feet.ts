@@ -212,6 +212,14 @@
             <translation>Står i varje korrigering från och med nu.</translation>
         </message>
         <message>
+            <source>Take it as a left foot</source>
+            <translation>Ta den som en vänster fot</translation>
+        </message>
+        <message>
+            <source>Take it as a right foot</source>
+            <translation>Ta den som en höger fot</translation>
+        </message>
+        <message>
             <source>The case has a left foot already.</source>
             <translation>Fallet har redan en vänster fot.</translation>
         </message>

@@ -243,6 +243,7 @@ def inspect_dialog(found: list[str]) -> None:
 ASKING: dict[str, Callable[[Questions, str], object]] = {
     "unsaved": lambda questions, evil: questions.about_unsaved(evil),
     "anyway": lambda questions, evil: questions.open_anyway(evil),
+    "other foot": lambda questions, evil: questions.about_other_foot(evil, Side.LEFT),
     "alone": lambda questions, evil: questions.make_alone(evil, Side.LEFT),
     "replace": lambda questions, _evil: questions.may_replace(
         [Path(f"<b>{MARK}<b>{STEERING}.stl")]

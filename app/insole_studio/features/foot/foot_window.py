@@ -11,6 +11,7 @@ from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
 from insole_studio.services.app_services import AppServices
+from insole_studio.services.questions import OtherFoot
 from insole_studio.services.stage_window import StageWindow
 
 if TYPE_CHECKING:
@@ -66,6 +67,7 @@ class FootWindow(StageWindow["FootStage"]):
             remember=self._remember_limits,
             ask=self._ask_to_open,
             ask_alone=self._ask_alone,
+            ask_side=self._ask_side,
             dark=self._services.dark,
             touch=settings.touch,
         )
@@ -109,6 +111,10 @@ class FootWindow(StageWindow["FootStage"]):
     def _ask_to_open(self, sentence: str) -> bool:
         assert self.stage is not None
         return self._services.messages.questions.on(self.stage).open_anyway(sentence)
+
+    def _ask_side(self, sentence: str, shown: Side) -> OtherFoot:
+        assert self.stage is not None
+        return self._services.messages.questions.on(self.stage).about_other_foot(sentence, shown)
 
     def _ask_alone(self, sentence: str, side: Side) -> bool:
         assert self.stage is not None

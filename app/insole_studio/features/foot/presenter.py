@@ -43,6 +43,7 @@ from insole_studio.features.foot.rows import (
 )
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.scene.coloring import Coloring, on_display
+from insole_studio.services.questions import OtherFoot
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.view_names import view_text
 
@@ -108,6 +109,8 @@ class FootStagePresenter:
         Asks whether to continue despite a warning.
     ask_alone
         Asks whether to make one foot, since the other one is missing.
+    ask_side
+        Asks which foot it is whose shape is that of the other side; given the side that it shows.
     finished
         Called when the stage has done its work; with True if no job is running.
     needed_again
@@ -126,6 +129,7 @@ class FootStagePresenter:
         hand_over: Callable[[ScannedFoot], None],
         ask: Callable[[str], bool],
         ask_alone: Callable[[str, Side], bool],
+        ask_side: Callable[[str, Side], OtherFoot],
         finished: Callable[[bool], None],
         needed_again: Callable[[], None],
         unreadable: Callable[[Exception], None],
@@ -137,6 +141,7 @@ class FootStagePresenter:
         self._hand_over = hand_over
         self._ask = ask
         self._ask_alone = ask_alone
+        self._ask_side = ask_side
         self._finished = finished
         self._needed_again = needed_again
         self._unreadable = unreadable
@@ -420,7 +425,15 @@ class FootStagePresenter:
         if isinstance(error, MissingFootError) and self._ask_alone(str(error), error.side.other):
             self.make(only=error.side.other)
             return
-        if isinstance(error, SideMismatchError | DoubtfulFeetError) and self._ask(str(error)):
+        if isinstance(error, SideMismatchError):
+            shown = error.asked.other
+            answer = self._ask_side(str(error), shown)
+            if answer is OtherFoot.TAKE:
+                self._take_as(shown)
+            if answer is not OtherFoot.CANCEL:
+                self.make(force=answer is OtherFoot.INSIST)
+                return
+        if isinstance(error, DoubtfulFeetError) and self._ask(str(error)):
             self.make(force=True, only=self._only)
             return
         if not isinstance(error, InsoleError):
@@ -431,6 +444,13 @@ class FootStagePresenter:
         self._show_buttons()
         if was_left:
             self._needed_again()
+
+    def _take_as(self, side: Side) -> None:
+        """Take the session of one foot as that of the other side from now on."""
+        if self._work is not None:
+            self._work.take_as(side)
+            self._panel.show_session(visible_line(self._work.opened.path.stem), (side,))
+            self.choose_foot(side)
 
     def _give(self) -> None:
         """Hand over the feet that were not handed over yet."""

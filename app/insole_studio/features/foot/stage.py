@@ -14,6 +14,7 @@ from insole_studio.features.foot.presenter import FootStagePresenter
 from insole_studio.features.foot.view import FootStageView
 from insole_studio.features.foot.volume_box import BoxDragger
 from insole_studio.jobs import Jobs
+from insole_studio.services.questions import OtherFoot
 from insole_studio.texts import tr
 from insole_studio.widgets.tab_order import StageFrame
 
@@ -33,6 +34,10 @@ class FootStage(StageFrame):
         Called with changed limits.
     ask
         Asks whether to continue despite a warning.
+    ask_alone
+        Asks whether to make one foot, since the other one is missing.
+    ask_side
+        Asks which foot it is whose shape is that of the other side.
     dark, touch
         Whether to use the dark theme and controls for touch.
     """
@@ -51,6 +56,7 @@ class FootStage(StageFrame):
         remember: Callable[[RegistrationLimits], None],
         ask: Callable[[str], bool],
         ask_alone: Callable[[str, Side], bool],
+        ask_side: Callable[[str, Side], OtherFoot],
         dark: bool,
         touch: bool = False,
     ) -> None:
@@ -71,6 +77,7 @@ class FootStage(StageFrame):
             hand_over=self.foot_made.emit,
             ask=ask,
             ask_alone=ask_alone,
+            ask_side=ask_side,
             finished=self._leave,
             needed_again=self._come_back,
             unreadable=self._give_up,

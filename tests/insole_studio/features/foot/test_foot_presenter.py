@@ -27,6 +27,7 @@ from insole_studio.document.foot_display import known_display
 from insole_studio.features.foot.presenter import MAKING, FootStagePresenter
 from insole_studio.features.foot.rows import FootMap, Limits, Mark, ViewRow, color_foot
 from insole_studio.jobs import Jobs
+from insole_studio.services.questions import OtherFoot
 
 pytestmark = pytest.mark.one_window
 
@@ -90,6 +91,7 @@ class Bench:
         self.limits = [DEFAULT_LIMITS]
         self.asked: list[str] = []
         self.alone: list[Side] = []
+        self.shown: list[Side] = []
         self.answer = False
         self.presenter = FootStagePresenter(
             panel=self.panel,
@@ -99,6 +101,7 @@ class Bench:
             hand_over=self.handed.append,
             ask=self._ask,
             ask_alone=self._ask_alone,
+            ask_side=self._ask_side,
             finished=self.left.append,
             needed_again=self._need,
             unreadable=self.errors.append,
@@ -110,6 +113,10 @@ class Bench:
     def _ask(self, sentence: str) -> bool:
         self.asked.append(sentence)
         return self.answer
+
+    def _ask_side(self, sentence: str, shown: Side) -> OtherFoot:
+        self.shown.append(shown)
+        return OtherFoot.INSIST if self._ask(sentence) else OtherFoot.CANCEL
 
     def _ask_alone(self, sentence: str, side: Side) -> bool:
         self.alone.append(side)
@@ -408,6 +415,7 @@ def test_a_foot_that_looks_like_the_other_is_asked_about(other_side: Bench) -> N
     other_side.open(hand_over=True)
     (sentence,) = other_side.asked
     assert "left" in sentence
+    assert other_side.shown == [Side.LEFT]
     assert other_side.handed == []
     assert sentence in other_side.panel.sentences
     other_side.answer = True

@@ -15,8 +15,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
+from real_dialogs import answering
 
 from insole_core.geometry.arrays import IntArray
+from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import Pixel
@@ -25,6 +27,8 @@ from insole_studio.app.bootstrap import Application
 from insole_studio.features.foot.rows import Mark
 from insole_studio.features.foot.stage import FootStage
 from insole_studio.scene.view_camera import Preset
+from insole_studio.services.questions import Questions
+from insole_studio.widgets.side_switch import SideBadge
 
 pytestmark = pytest.mark.one_window
 
@@ -116,6 +120,46 @@ def test_an_opened_session_shows_its_foot_and_goes_on_to_design(
     assert shown_stage(app) is again
     settle()
     assert len(app.case.history) == 0  # looking changes nothing
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("answer", "side"),
+    [("Take it as a left foot", Side.LEFT), ("Open anyway", Side.RIGHT), ("Do not open", None)],
+)
+def test_a_left_foot_that_was_captured_as_right_is_taken_as_what_it_is(
+    app: Application,
+    settle: Callable[[], None],
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    session: Path,
+    answer: str,
+    side: Side | None,
+) -> None:
+    path = tmp_path / "right"
+    with zipfile.ZipFile(session) as archive:
+        archive.extractall(path)
+    manifest = path / "manifest.json"
+    manifest.write_text(json.dumps(json.loads(manifest.read_text()) | {"side": "right"}))
+    monkeypatch.setattr(app.services.messages, "questions", Questions(app.window))
+    with answering(answer) as answers:
+        app.features.case_files.opener.open_path(path)
+        qtbot.waitUntil(lambda: answers.left == [])
+    settle()
+    assert "looks like a left foot" in answers.asked[0]
+    stage = shown_stage(app)
+    (badge,) = stage.findChildren(SideBadge)
+    assert badge.text() == (Side.RIGHT if side is None else side).name
+    assert [foot.side for foot in app.case.record.feet] == ([] if side is None else [side])
+    assert stage.view.go_on.isEnabled() is (side is not None)
+    if side is Side.LEFT:
+        assert app.case.foot is not None
+        assert not any("session says" in note for note in stage.presenter._made.scan.warnings)
+        stage.view.view_switched.emit("right", False)
+        stage.view.go_on.click()  # corrected, it stays a left foot, without a second question
+        settle()
+        assert [foot.side for foot in app.case.record.feet] == [Side.LEFT]
 
 
 @pytest.mark.slow
