@@ -60,6 +60,7 @@ from insole_core.workflows.mill import (
 )
 from insole_core.workflows.nameless import require_nameless
 from insole_core.workflows.print_order import PrintChoice, zoned_print
+from insole_core.workflows.starting_design import StartingDevice
 
 if TYPE_CHECKING:
     from insole_core.export.insole_drawing import DrawnInsole
@@ -175,9 +176,19 @@ def ordered_material(choice: OrderChoice, design: InsoleDesign) -> str:
     return choice.own_materials.get(design.side, prescribed)
 
 
-def both_prescribed(record: CaseRecord) -> bool:
-    """Return whether both feet of a case have a prescription, and are then made together."""
-    return len(record.feet) == 2 and all(foot.design.corrections for foot in record.feet)
+def made_together(record: CaseRecord, starting: StartingDevice) -> bool:
+    """Return whether both feet of a case are made unless one says otherwise.
+
+    A foot alone is made where it alone has a prescription, since the other may be there to be
+    compared with.
+
+    Parameters
+    ----------
+    starting
+        The device that new prescriptions begin with: a design as it begins is none.
+    """
+    prescribed = {starting.prescribes(foot.design) for foot in record.feet}
+    return len(record.feet) == 2 and len(prescribed) == 1
 
 
 def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:

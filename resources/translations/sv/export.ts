@@ -536,6 +536,10 @@
             <translation>Inläggen för båda fötterna i en beställning</translation>
         </message>
         <message>
+            <source>The left foot alone is made; “Both feet” makes the right one too.</source>
+            <translation>Bara vänster fot tillverkas; ”Båda fötterna” tillverkar även den högra.</translation>
+        </message>
+        <message>
             <source>The order of the case before has been written.</source>
             <translation>Beställningen för det förra fallet är skriven.</translation>
         </message>
@@ -554,6 +558,10 @@
         <message>
             <source>The printer's program or the router that gets the files</source>
             <translation>Skrivarens program eller fräsmaskinen som får filerna</translation>
+        </message>
+        <message>
+            <source>The right foot alone is made; “Both feet” makes the left one too.</source>
+            <translation>Bara höger fot tillverkas; ”Båda fötterna” tillverkar även den vänstra.</translation>
         </message>
         <message>
             <source>The shop makes the newest revision of an order; a new order is made beside it</source>

@@ -27,6 +27,7 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import Package
 from insole_core.workflows.mill import clinic_machines
 from insole_core.workflows.order_package import Ordered
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.case_names import foot_stem, whose
 from insole_studio.features.export.outline_print import print_outline
 from insole_studio.services.action_record import ActionRecord
@@ -129,6 +130,7 @@ class ExportActions(StageWindow["ExportStage"]):
             dark=self._services.dark,
             drawn=self._drawn(),
             told=self._told,
+            starting=lambda: starting_device(folder),
         )
 
     def connect_stage(self, stage: ExportStage) -> None:

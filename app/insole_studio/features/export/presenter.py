@@ -35,10 +35,10 @@ from insole_core.workflows.make_order import (
     OrderChoice,
     Package,
     block_edges,
-    both_prescribed,
     feet_of,
     files_of,
     letters_told,
+    made_together,
     make_parts,
     programs_of,
     require_no_other_programs,
@@ -55,6 +55,7 @@ from insole_core.workflows.order_package import (
 )
 from insole_core.workflows.overwriting import check_overwriting
 from insole_core.workflows.print_order import PrintChoice
+from insole_core.workflows.starting_design import StartingDevice
 from insole_studio.document.case import Case
 from insole_studio.features.export.machine_presenter import MachineAsker, MachinePresenter
 from insole_studio.features.export.rows import (
@@ -138,6 +139,8 @@ class ExportPresenter:
         The insole as the design shows it, until the piece is made.
     told
         Returns what was ticked to stand on the papers of a case.
+    starting
+        Returns the device that new prescriptions begin with.
     """
 
     def __init__(
@@ -156,11 +159,12 @@ class ExportPresenter:
         exported: Callable[[CaseRecord, Ordered], None],
         drawn: TriangleMesh | None = None,
         told: ToldOnPapers = nothing_told,
+        starting: Callable[[], StartingDevice],
     ) -> None:
         self._panel, self._case, self._jobs = panel, case, jobs
         self._store, self._materials, self._shop = rules, materials, shop
         self._block_store, self._asker, self._exported = blocks, asker, exported
-        self._memory, self._told = memory, told
+        self._memory, self._told, self._starting = memory, told, starting
         self._own_blocks: tuple[Block, ...] = ()
         self._choice, self._new_number, self._begins_order = memory.load(), "", False
         self._rules = read_rules()
@@ -173,10 +177,10 @@ class ExportPresenter:
         self._framed = ("", "")
         """What the camera was last fitted to."""
         self._chosen: CheckName | None = None
-        self._reason = ""
-        self._problem = ""
-        self._refused_day = ""
-        """Why the delivery date that is typed cannot be right."""
+        self._written = ""
+        """What was exported, told until the order is changed or another part is looked at."""
+        self._reason = self._problem = self._refused_day = ""
+        """Why it is exported all the same, why it is not made, and why its day cannot be right."""
         self._is_case_left = False
         self._complaint = ""
         """Why the clinic's rules could not be read."""
@@ -198,7 +202,7 @@ class ExportPresenter:
         panel.cutter_edited.connect(self.edit_cutter)
         panel.rule_edited.connect(self.edit_rule)
         panel.check_chosen.connect(self.lead_to)
-        panel.part_chosen.connect(self.show_part)
+        panel.part_chosen.connect(self.choose_part)
         panel.reason_edited.connect(self.edit_reason)
         panel.export_requested.connect(self.ask_export)
         panel.cancel_requested.connect(self.cancel)
@@ -229,7 +233,7 @@ class ExportPresenter:
         """Set the order; changes that concern only files and documents do not make it again."""
         if self._is_case_left:
             return  # a field lets go of what was typed as its window closes
-        before, self._choice = self._choice, choice
+        before, self._choice, self._written = self._choice, choice, ""
         if choice.terms != before.terms:
             self._case.note_order(replace(self._case.record.order, terms=choice.terms))
         same_maker = _maker(choice) == _maker(before)
@@ -242,14 +246,14 @@ class ExportPresenter:
 
     def choose_order(self, is_new: bool) -> None:
         """Choose between a revision of the order that was exported last, and a new order."""
-        self._begins_order = is_new
+        self._begins_order, self._written = is_new, ""
         self._show_release()
         self._number_again()
 
     def _number_again(self) -> None:
         """Make the pieces again where they carry the number of an order or a revision before."""
         if self._choice.relief is not None and self._choice.numbered:
-            self.remake()
+            self._make()
 
     def edit_material(self, side: Side, material: str) -> None:
         """Set what a foot's insole is made of; another foot without a material gets it too."""
@@ -326,7 +330,11 @@ class ExportPresenter:
             self._panel.show_summary(tr("As it is designed; the piece is being made."))
 
     def remake(self) -> None:
-        """Make and check the order in the background."""
+        """Make and check the order, which has changed, in the background."""
+        self._written = ""
+        self._make()
+
+    def _make(self) -> None:
         self._record, self._problem = self._case.record, ""
         self._panel.show_patient(patient_text(self._record.patient))
         self._show_order()
@@ -353,6 +361,11 @@ class ExportPresenter:
         self._show_checks()
         self._show_buttons()
 
+    def choose_part(self, key: str) -> None:
+        """Show another part, and what it is."""
+        self._written = ""
+        self.show_part(key)
+
     def show_part(self, key: str) -> None:
         """Show the left part, the right part, or both in their block."""
         again, self._shown = (key, self._choice.kind) == self._framed, key
@@ -366,7 +379,7 @@ class ExportPresenter:
             both = merged(nest.meshes) if colors is None else colors.mesh
             self._panel.show_part(both, None, None, again, colors)
             self._panel.show_block(block_edges(block), again)
-            self._panel.show_summary(summary_of_nest(nest))
+            self._panel.show_summary(self._written or summary_of_nest(nest))
         else:
             part = self._part
             solid, side = (None, None) if part is None else (part.solid, part.side)
@@ -378,7 +391,7 @@ class ExportPresenter:
             record = None if side is None else self._record.of_side(side)
             foot = None if record is None else record.foot
             self._panel.show_part(mesh, foot, words, again, colors)
-            self._panel.show_summary("" if part is None else summary_of(part))
+            self._panel.show_summary(self._written or ("" if part is None else summary_of(part)))
         self._show_spots()
         self._show_checks()
 
@@ -483,7 +496,8 @@ class ExportPresenter:
         self, record: CaseRecord, choice: OrderChoice, shown: Sequence[Path], ordered: Ordered
     ) -> None:
         names = ", ".join(written.name for written in shown)
-        self._panel.show_summary(tr("Exported {name}").format(name=names))
+        self._written = tr("Exported {name}").format(name=names)
+        self._panel.show_summary(self._written)
         self._remember(choice)
         exported = record if self._is_case_left else self._noted(record, choice.pseudonym, ordered)
         self._exported(exported, ordered)
@@ -554,7 +568,7 @@ class ExportPresenter:
         self._panel.forget_day()
         self._choice = replace(
             self._choice,
-            both=both_prescribed(record),
+            both=made_together(record, self._starting()),
             pseudonym=record.patient.pseudonym,
             text="",
             own_materials={},
@@ -611,9 +625,20 @@ class ExportPresenter:
 
     def _show_notes(self) -> None:
         """Show what is unusual about the pieces, and what their papers cannot show."""
+        left_out = self._left_out()
         letters = letters_told(self._order, self._record.patient, self._asker.responsible())
         notes = [] if letters is None else [translate_core_message(letters)]
-        self._panel.show_notes([*notes_of(self.parts), *notes])
+        self._panel.show_notes([*left_out, *notes_of(self.parts), *notes])
+
+    def _left_out(self) -> list[str]:
+        """Say that one of two feet is not made: nobody would see it on its archive."""
+        if not self._has_pair or self._choice.both:
+            return []
+        alone = {
+            Side.LEFT: tr("The left foot alone is made; “Both feet” makes the right one too."),
+            Side.RIGHT: tr("The right foot alone is made; “Both feet” makes the left one too."),
+        }
+        return [alone[foot.side] for foot in feet_of(self._record, self._choice)]
 
     def _show_order(self) -> None:
         self._panel.show_choice(self._choice, self._has_pair)

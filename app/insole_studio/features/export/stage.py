@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QCloseEvent
 
@@ -12,6 +14,7 @@ from insole_core.solids.shop import Shop
 from insole_core.workflows.clinic_tables import ClinicBlocks, ClinicExportRules
 from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.named_files import NamedFiles
+from insole_core.workflows.starting_design import StartingDevice
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import Stock
 from insole_studio.features.export.presenter import WRITING, ExportPresenter, OrderAsker
@@ -51,6 +54,8 @@ class ExportStage(StageFrame):
         The insole as the design shows it, until the piece is made.
     told
         Returns what was ticked to stand on the papers of a case.
+    starting
+        Returns the device that new prescriptions begin with.
     """
 
     closed = Signal()
@@ -71,6 +76,7 @@ class ExportStage(StageFrame):
         dark: bool,
         drawn: TriangleMesh | None = None,
         told: ToldOnPapers = nothing_told,
+        starting: Callable[[], StartingDevice],
     ) -> None:
         super().__init__()
         self.setWindowTitle(tr("Check & export") + " – Insole Studio")
@@ -93,6 +99,7 @@ class ExportStage(StageFrame):
             exported=self.exported.emit,
             drawn=drawn,
             told=told,
+            starting=starting,
         )
 
     @property

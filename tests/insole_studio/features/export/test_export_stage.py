@@ -34,6 +34,7 @@ from insole_core.workflows.last_order import LastOrder
 from insole_core.workflows.make_order import OrderChoice
 from insole_core.workflows.mill import clinic_machines
 from insole_core.workflows.order_package import Ordered
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import OrderForm, Stock
 from insole_studio.features.export.rows import CheckState, OrderedFoot
@@ -43,6 +44,7 @@ from insole_studio.widgets.layouts import VerticalScroll
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
+ALONE = "The left foot alone is made; “Both feet” makes the right one too."
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 
 
@@ -132,7 +134,9 @@ def stage(
         memory=LastOrder(tmp_path / "config" / "order.json", SHOP),
         machines=clinic_machines(tmp_path / "config"),
         dark=False,
+        starting=lambda: starting_device(tmp_path / "config"),
     )
+    order(built, both=False)
     built.show()
     yield built
     built.close()
@@ -163,14 +167,80 @@ def test_part_is_made_and_checked_at_once(stage: ExportStage, settle: Callable[[
     assert not stage.view.reason.isVisible()
 
 
+PAD = Pelott(centre_mm=(0.0, 140.0))
+
+
+@pytest.mark.parametrize(
+    ("prescribed", "both"),
+    [
+        ((), True),
+        ((Side.LEFT,), False),
+        ((Side.RIGHT,), False),
+        ((Side.LEFT, Side.RIGHT), True),
+    ],
+)
+def test_both_feet_are_made_unless_one_alone_is_prescribed_which_is_told(
+    stage: ExportStage,
+    case: Case,
+    settle: Callable[[], None],
+    tmp_path: Path,
+    prescribed: tuple[Side, ...],
+    both: bool,
+) -> None:
+    """The finish is a prescription as much as a pad."""
+    starting = starting_device(tmp_path / "config")
+    feet = []
+    for foot in case.record.feet:
+        design = starting.design(foot.foot)
+        if foot.side in prescribed:
+            changed = {Side.LEFT: {"thickness_mm": 4.0}, Side.RIGHT: {"corrections": (PAD,)}}
+            design = replace(design, **changed[foot.side])  # type: ignore[arg-type]
+        feet.append(FootRecord.begun(foot.foot, NOWHERE, design))
+    case.open(replace(case.record, feet=tuple(feet)), None)
+    settle()
+    assert stage.view.form.both.isVisible()
+    assert stage.view.form.both.isChecked() is both
+    assert len(stage.presenter.parts) == (2 if both else 1)
+    assert (ALONE in stage.view.notes.text()) is not both
+    stage.view.form.both.click()
+    settle()
+    assert len(stage.presenter.parts) == (1 if both else 2)
+    assert (ALONE in stage.view.notes.text()) is both
+
+
+def test_what_was_exported_is_told_until_the_order_changes(
+    stage: ExportStage, chosen: Chosen, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    """Also where the piece, which bears the number of its order, is made anew for the next one."""
+    order(stage, relief="raised", numbered=True, pseudonym="P-7", job_sheet=False)
+    settle()
+    figures = stage.view.summary.text()
+    assert "triangles" in figures
+    chosen.answer, chosen.replace = tmp_path / "anna.stl", True
+    stage.view.export.click()
+    settle()
+    before = stage.presenter.parts
+    assert stage.view.summary.text() == "Exported anna-left.stl"
+    order(stage, both=True)
+    settle()
+    assert stage.presenter.parts != before
+    assert "triangles" in stage.view.summary.text()
+    stage.view.export.click()
+    settle()
+    assert stage.view.summary.text().startswith("Exported anna-")
+    (_left, right) = (b for b in stage.view.findChildren(QToolButton) if b.property("part"))
+    right.click()
+    assert "triangles" in stage.view.summary.text()
+
+
 def test_what_the_design_warns_of_is_told_before_the_export(
     stage: ExportStage, case: Case, settle: Callable[[], None]
 ) -> None:
-    assert stage.view.notes.text() == ""
+    assert stage.view.notes.text() == ALONE
     order(stage, terms=OrderTerms(remarks="軟"))
     assert "has no letters 軟" in stage.view.notes.text(), "before it is printed"
     order(stage, terms=OrderTerms())
-    assert stage.view.notes.text() == ""
+    assert stage.view.notes.text() == ALONE
     ahead = Pelott(centre_mm=(0.0, 185.0))
     case.apply(InsoleDesign(Side.LEFT, (ahead,), grid_mm=2.0), "Add a pelott")
     settle()

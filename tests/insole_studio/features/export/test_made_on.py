@@ -30,6 +30,7 @@ from insole_core.workflows.make_order import OrderChoice
 from insole_core.workflows.mill import MillingChoice, clinic_machines
 from insole_core.workflows.order_package import Ordered
 from insole_core.workflows.print_order import PrintChoice
+from insole_core.workflows.starting_design import starting_device
 from insole_studio.app.application_events import ApplicationEvents
 from insole_studio.document.case import Case
 from insole_studio.features.export.order_form import OrderForm, Stock
@@ -119,6 +120,7 @@ def stage(
         memory=memory,
         machines=clinic_machines(folder),
         dark=False,
+        starting=lambda: starting_device(folder),
     )
     built.show()
     built.activateWindow()
