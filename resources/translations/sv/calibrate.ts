@@ -196,6 +196,10 @@
             <translation>Ta bild</translation>
         </message>
         <message>
+            <source>Take pictures, or choose the folder with these images.</source>
+            <translation>Ta bilder, eller välj mappen med dessa bilder.</translation>
+        </message>
+        <message>
             <source>Taking the picture: hold still.</source>
             <translation>Bilden tas: håll stilla.</translation>
         </message>

@@ -64,6 +64,7 @@ class LivePresenter:
         """Start or stop the sensors."""
         if on:
             self._live.start()
+            self._presenter.set_live(True)
             self._begin_step()
         else:
             self.close()
@@ -95,6 +96,7 @@ class LivePresenter:
         if not self._live.running:
             return
         states = self._live.states
+        self._presenter.show_connected([state.serial for state in states])
         if states and not self._presenter.serial:
             self._panel.show_serial(states[0].serial)
             self._presenter.choose_serial(states[0].serial)
@@ -122,6 +124,7 @@ class LivePresenter:
         """Stop the sensors."""
         self._jobs.cancel(_GLANCE)
         self._live.stop()
+        self._presenter.set_live(False)
         self._sentence = ""
 
     def _begin_step(self) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -70,6 +70,8 @@ class CalibratePresenter:
         self.step_begun: Callable[[], None] = lambda: None
         """Called when the user has opened a step."""
         self._serial = ""
+        self._connected: tuple[str, ...] = ()
+        self._is_live = False
         self._sensor: Sensor | None = None
         self._step = STEPS[0]
         self._board = BoardSize()
@@ -90,7 +92,7 @@ class CalibratePresenter:
         panel.undo_requested.connect(self.undo)
         jobs.progressed.connect(self._show_progress)
         jobs.ended.connect(self._show_buttons)
-        panel.show_serials(store.serials())
+        self._show_serials()
         panel.show_board(self._board)
         self._open(self._step)
 
@@ -123,6 +125,21 @@ class CalibratePresenter:
     def readiness(self) -> Readiness | None:
         """Coverage and usability of the images in the folder of the step."""
         return self._readiness
+
+    def set_live(self, on: bool) -> None:
+        """Say what to do next with or without a live picture, while nothing else is told."""
+        self._is_live = on
+        if self._readiness is None and self._result is None:
+            self._show_hint()
+
+    def show_connected(self, serials: Sequence[str]) -> None:
+        """Offer the sensors that are plugged in, besides those that are stored."""
+        if tuple(serials) != self._connected:
+            self._connected = tuple(serials)
+            self._show_serials()
+
+    def _show_serials(self) -> None:
+        self._panel.show_serials(list(dict.fromkeys((*self._connected, *self._store.serials()))))
 
     @property
     def has_result(self) -> bool:
@@ -306,7 +323,7 @@ class CalibratePresenter:
 
     def _undone(self, sensor: Sensor) -> None:
         self._sensor = sensor
-        self._panel.show_serials(self._store.serials())
+        self._show_serials()
         self._open(self._first_undone())
         said = tr("Sensor {serial} is as it was before the last change.")
         self._panel.show_next([said.format(serial=self._serial)])
@@ -336,9 +353,17 @@ class CalibratePresenter:
         )
         self._panel.show_error(self._lack(step))
         self._panel.show_steps([self._row(one) for one in STEPS])
-        first = tr("Give the serial number of the sensor, as it stands on its label.")
-        then = tr("Start the live picture, or choose the folder with these images.")
-        self._panel.show_next([then if self._sensor is not None else first])
+        self._show_hint()
+
+    def _show_hint(self) -> None:
+        """Say how the pictures of the step come."""
+        if self._sensor is None:
+            hint = tr("Give the serial number of the sensor, as it stands on its label.")
+        elif self._is_live:
+            hint = tr("Take pictures, or choose the folder with these images.")
+        else:
+            hint = tr("Start the live picture, or choose the folder with these images.")
+        self._panel.show_next([hint])
 
     def _lack(self, step: CalibrationStep) -> str:
         """Return why a step is not for the chosen sensor, a sentence; empty where it is."""
@@ -371,7 +396,9 @@ class CalibratePresenter:
         self._readiness = self._result = None
         self._panel.show_looks([])
         self._panel.show_no_picture(
-            tr("No picture yet: start the live picture, or choose a folder.")
+            tr("Waiting for the first picture.")
+            if self._is_live
+            else tr("No picture yet: start the live picture, or choose a folder.")
         )
         self._show_buttons()
 
@@ -402,7 +429,7 @@ class CalibratePresenter:
         self._saves = False
         then, self._then = self._then, None
         self._sensor = sensor
-        self._panel.show_serials(self._store.serials())
+        self._show_serials()
         done, following = self._step.title(), self._first_undone()
         self._open(following)
         saved = tr("{step} is saved for sensor {serial}.").format(step=done, serial=self._serial)

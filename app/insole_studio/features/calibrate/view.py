@@ -64,6 +64,7 @@ class CalibrateView(QWidget):
         self.serial.setLineEdit(self.serial_line)
         self.serial_line.setPlaceholderText(tr("Serial number"))
         self.serial_line.editingFinished.connect(self._serial_typed)
+        self.serial.textActivated.connect(self.serial_edited)
         self.steps = QListWidget()
         self.steps.currentItemChanged.connect(self._step_chosen)
         self._title, self._instruction, self.next_steps = QLabel(), QLabel(), QLabel()
@@ -157,7 +158,8 @@ class CalibrateView(QWidget):
             self.looks.clear()
             for row in rows:
                 said = translate_core_message(row.sentence)
-                item = QListWidgetItem(f"{'✓' if row.usable else '✗'}  {row.name}: {said}")
+                told = said if said.startswith(row.name) else f"{row.name}: {said}"
+                item = QListWidgetItem(f"{'✓' if row.usable else '✗'}  {told}")
                 item.setToolTip(said)
                 self.looks.addItem(item)
             self.looks.setCurrentRow(0)

@@ -24,6 +24,7 @@ from insole_core.recording.writer import write_session
 from insole_core.resources import resource_path
 from insole_core.sensing.metric_depth import StereoDisparity
 from insole_core.sensing.pinhole_camera import PinholeCamera
+from insole_core.sensing.sensor import nominal_kinect
 from insole_core.workflows.calibration.sensor_store import SensorStore
 from insole_studio.acquisition.capture_setup import DEFAULT_SYSTEM
 from insole_studio.acquisition.sensor_source import SensorSource
@@ -189,6 +190,31 @@ def test_each_step_takes_its_own_pictures_of_one_sensor(
     (wall,) = read_infrared_walls(folder, "SIM1")
     assert wall.shift_px == (4.8, 3.9)
     assert not stage.view.check.isEnabled()
+
+
+@pytest.mark.slow
+def test_with_a_live_picture_its_sensor_is_offered_and_nothing_asks_to_start_it(
+    stage: CalibrateStage, qtbot: QtBot, tmp_path: Path
+) -> None:
+    view = stage.view
+    SensorStore(tmp_path / "sensors").save(nominal_kinect("OLD1"))
+    give = "Give the serial number of the sensor, as it stands on its label."
+    assert give in view.next_steps.text()
+    view.automatic.setChecked(False)
+    view.live.click()
+    qtbot.waitUntil(lambda: said(stage).startswith("54 corners, "))
+    assert "Take pictures, or choose the folder" in view.next_steps.text()
+    view.steps.setCurrentRow(1)
+    assert view._picture.accessibleName() == "Waiting for the first picture."
+    assert "Start the live picture" not in view.next_steps.text()
+    assert [view.serial.itemText(i) for i in range(view.serial.count())] == ["SIM1", "OLD1"]
+    view.serial.setFocus()
+    qtbot.keyClick(view.serial, Qt.Key.Key_Down)
+    assert stage.presenter.serial == "OLD1"
+    qtbot.keyClick(view.serial, Qt.Key.Key_Up)
+    assert stage.presenter.serial == "SIM1"
+    view.live.click()
+    assert "Start the live picture" in view.next_steps.text()
 
 
 @pytest.mark.slow
