@@ -487,6 +487,10 @@ def _worth(found: Sequence[Packed | None], outlines: Sequence[FloatArray]) -> tu
 
 def _require_all(found: Sequence[Packed | None], block: Block) -> None:
     placed = sum(packed is not None for packed in found)
+    if placed < len(found) == 1:
+        raise DesignError(
+            "The piece finds no room on {block}; take a larger block.", block=block.words
+        )
     if placed < len(found):
         raise DesignError(
             "{placed} of {count} pieces find room on {block}; take a larger block, less room "

@@ -64,6 +64,10 @@
             <translation>Alla i 30 dagar, sedan en för varje månad i ett år</translation>
         </message>
         <message>
+            <source>All that the record holds of the listed patient goes.</source>
+            <translation>Allt som journalen innehåller om patienten i listan försvinner.</translation>
+        </message>
+        <message>
             <source>All that the record holds of the {count} listed patients goes.</source>
             <translation>Allt som journalen innehåller om de {count} patienterna i listan försvinner.</translation>
         </message>
@@ -210,6 +214,10 @@
         <message>
             <source>Erase all listed…</source>
             <translation>Radera alla i listan…</translation>
+        </message>
+        <message>
+            <source>Erase one patient for good</source>
+            <translation>Radera en patient för gott</translation>
         </message>
         <message>
             <source>Erase {count} patients for good</source>
@@ -422,6 +430,10 @@
         <message>
             <source>On this computer, or on a server that stations share</source>
             <translation>På den här datorn eller på en server som stationer delar</translation>
+        </message>
+        <message>
+            <source>One patient was erased after the backup, and now again.</source>
+            <translation>En patient raderades efter säkerhetskopian och nu igen.</translation>
         </message>
         <message>
             <source>Only by hand</source>

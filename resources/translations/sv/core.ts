@@ -3832,6 +3832,10 @@
             <translation>Stycket ligger inte inom blocket; ta ett större block.</translation>
         </message>
         <message>
+            <source>The piece finds no room on {block}; take a larger block.</source>
+            <translation>Stycket får inte plats på {block}; ta ett större block.</translation>
+        </message>
+        <message>
             <source>The pieces are to lie {gap:g} mm apart and {margin:g} mm from the sides, and both must be 0 to {most:g} mm; correct them.</source>
             <translation>Styckena ska ligga {gap:g} mm från varandra och {margin:g} mm från sidorna, och båda måste vara 0 till {most:g} mm; rätta dem.</translation>
         </message>

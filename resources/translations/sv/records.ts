@@ -464,6 +464,10 @@
             <translation>En beställning</translation>
         </message>
         <message>
+            <source>One piece is nested in {name}.</source>
+            <translation>Ett stycke är utlagt i {name}.</translation>
+        </message>
+        <message>
             <source>Open a visit first.</source>
             <translation>Öppna ett besök först.</translation>
         </message>

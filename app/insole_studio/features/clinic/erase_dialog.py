@@ -164,12 +164,16 @@ class EraseDialog(RecordDialog):
         if not self._is_asked:
             self._is_asked = True
             count = len(self._over)
-            self.erase_all.setText(tr("Erase {count} patients for good").format(count=count))
+            if count == 1:
+                verb = tr("Erase one patient for good")
+                what = tr("All that the record holds of the listed patient goes.")
+            else:
+                verb = tr("Erase {count} patients for good").format(count=count)
+                what = tr("All that the record holds of the {count} listed patients goes.")
+            self.erase_all.setText(verb)
             self.say_all(
                 [
-                    tr("All that the record holds of the {count} listed patients goes.").format(
-                        count=count
-                    ),
+                    what.format(count=count),
                     tr("This cannot be undone; backups made before still hold the patient."),
                 ],
                 warns=True,

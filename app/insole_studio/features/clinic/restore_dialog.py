@@ -305,7 +305,9 @@ def restored_lines(report: RestoreReport) -> list[str]:
     ]
     if report.set_aside is not None:
         lines.append(tr("The record before is kept as {path}.").format(path=report.set_aside))
-    if report.erased_again:
+    if report.erased_again == 1:
+        lines.append(tr("One patient was erased after the backup, and now again."))
+    elif report.erased_again:
         lines.append(
             tr("{count} patients were erased after the backup, and now again.").format(
                 count=report.erased_again

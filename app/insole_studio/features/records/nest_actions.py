@@ -42,6 +42,8 @@ class NestActions(QObject):
         self._tell = services.messages.show_error
         self.dialog: NestDialog | None = None
         """The one that is open."""
+        self._last: NestChoice | None = None
+        """What was nested last, and how, until the program ends."""
         self._copying: Path | None = None
         self._copies: set[Path] = set()
         """Those that are nested, and those that no nest has taken."""
@@ -62,6 +64,8 @@ class NestActions(QObject):
             return
         machines = clinic_machines(folder).load().items
         dialog = NestDialog(orders, (*read_shop().blocks, *blocks), machines, self._services.window)
+        if self._last is not None:
+            dialog.show_means(self._last)
         self.dialog = dialog
         dialog.finished.connect(dialog.deleteLater)
         dialog.accepted.connect(lambda: self._ask_place(dialog.choice, orders))
@@ -82,6 +86,7 @@ class NestActions(QObject):
         out = questions.name_to_write(tr("nest") + _FORMAT, kinds, Kept.EXPORTS)
         if out is None:
             return
+        self._last = choice
         names = [order.person_name for order in orders if order.id in choice.orders]
         try:
             for name in names:
@@ -157,7 +162,11 @@ class NestActions(QObject):
             shutil.rmtree(self._copies.pop(), ignore_errors=True)
 
     def _say(self, count: int, written: WrittenNest, out: Path) -> None:
-        sentence = tr("{count} pieces are nested in {name}.")
+        one, several = (
+            tr("One piece is nested in {name}."),
+            tr("{count} pieces are nested in {name}."),
+        )
+        sentence = one if count == 1 else several
         told = sentence.format(count=count, name=out.name)
         notes = (translate_core_message(note) for note in written.notes)
         self._services.notices.put(

@@ -113,6 +113,22 @@ class NestDialog(QDialog):
         self._lay_out()
         self._fit()
 
+    def show_means(self, last: NestChoice) -> None:
+        """Show block, gaps and router as they were chosen before, where they are still there."""
+        is_known = self._blocks.get(last.block.name) == last.block
+        self.block.show_value(last.block.name if is_known else "")
+        if not is_known:
+            for field, side in zip(self.sides, last.block.size_mm, strict=True):
+                field.show_value(side)
+        self.gap.show_value(last.gap_mm)
+        self.margin.show_value(last.margin_mm)
+        if last.milling is not None:
+            keys = [key for key, one in self._machines.items() if one == last.milling.machine]
+            self.machine.show_value(next(iter(keys), ""))
+            self.both_sides.setChecked(last.milling.both_sides)
+        self.marked.setChecked(last.marked)
+        self._fit()
+
     @property
     def choice(self) -> NestChoice:
         """What is chosen."""

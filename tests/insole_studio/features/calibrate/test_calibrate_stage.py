@@ -267,7 +267,9 @@ def test_a_folder_without_the_board(
     stage.view.choose.click()  # The usual board has other corners.
     settle()
     assert "0 of 1 can be used." in stage.view.next_steps.text()
-    assert stage.view.looks.item(0).text().startswith("✗  color_000.png: a chequerboard is seen, but")
+    assert (
+        stage.view.looks.item(0).text().startswith("✗  color_000.png: a chequerboard is seen, but")
+    )
     assert not stage.view.calibrate.isEnabled()
 
 

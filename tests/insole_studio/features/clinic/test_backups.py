@@ -482,7 +482,7 @@ def test_who_was_erased_after_the_backup_is_erased_again_or_that_is_not_known(
     rest()
     there = clinic.services.clinic.ask_now(lambda r: r.persons.get(anna.id))
     assert there.is_erased is is_readable
-    assert ("1 patients were erased after" in dialog.message.text()) is is_readable
+    assert ("One patient was erased after" in dialog.message.text()) is is_readable
     assert ("who was erased after the backup may be" in dialog.message.text()) is not is_readable
 
 

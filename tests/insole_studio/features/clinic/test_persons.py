@@ -234,6 +234,22 @@ def test_those_whose_time_is_over_are_listed_and_erased_once_that_was_confirmed(
     assert not dialog.erase_all.isVisible()
 
 
+def test_one_patient_whose_time_is_over_is_told_as_one(
+    clinic: Application, records: Records, run: Run, rest: Callable[[], None]
+) -> None:
+    person = records.persons.add(Person("Patient"))
+    records.visits.add(Visit(person.id, date.today().replace(day=1, year=2000)))
+    with records.context.database.writing() as connection:
+        connection.exec_driver_sql("UPDATE persons SET created_at = '2000-01-01T00:00:00'")
+    dialog = run("erase_patient", EraseDialog)
+    assert isinstance(dialog, EraseDialog)
+    assert len(dialog.over.rows) == 1
+    dialog.erase_all.click()
+    rest()
+    assert dialog.erase_all.text() == "Erase one patient for good"
+    assert "of the listed patient goes" in dialog.message.text()
+
+
 def test_the_record_is_kept_no_shorter_than_the_law_asks_for(clinic: Application, run: Run) -> None:
     dialog = run("erase_patient", EraseDialog)
     assert isinstance(dialog, EraseDialog)

@@ -36,6 +36,7 @@ from insole_core.workflows.order_package import Ordered
 from insole_studio.app.bootstrap import Application
 from insole_studio.document.clinic_record import RecordState
 from insole_studio.features.records.nest_actions import NESTING
+from insole_studio.features.records.nest_dialog import NestDialog
 from insole_studio.features.records.order_files import OrderFiles
 from insole_studio.features.records.orders_page import ALL, OPEN, OrdersPage
 
@@ -414,6 +415,56 @@ def box_file(path: Path, length_mm: float) -> Path:
     return path
 
 
+def test_a_nest_that_found_no_room_is_asked_about_again_as_it_was(
+    page: OrdersPage, clinic: Application, records: Records, visit: Visit,
+    questions: CannedQuestions, tmp_path: Path, rest: Callable[[], None],
+) -> None:  # fmt: skip
+    version = records.prescriptions.versions(visit.id, Side.LEFT)[0]
+    file = box_file(tmp_path / "26-A-left.stl", 240.0)
+    records.orders.add(visit.id, [version.id], number="26-A", files=[file])
+    clinic.services.clinic.changed.emit()
+    rest()
+
+    def opened() -> NestDialog:
+        QTest.mouseClick(page.nest_button, LEFT)
+        dialog = clinic.features.records.nest_actions.dialog
+        assert dialog is not None
+        return dialog
+
+    dialog = opened()
+    dialog.block.show_value("")
+    dialog.block.edited.emit("")
+    for field, side in zip(dialog.sides, (200, 150, 20), strict=True):
+        field.setValue(side)
+    dialog.gap.setValue(7)
+    dialog.margin.setValue(9)
+    dialog.machine.setCurrentText("LinuxCNC")
+    dialog.both_sides.setChecked(False)
+    dialog.marked.setChecked(True)
+    chosen = dialog.choice
+    assert chosen.milling is not None
+    questions.path = tmp_path / "day.3mf"
+    QTest.mouseClick(dialog.nest, LEFT)
+    rest()
+    told = clinic.services.messages.dialogs[-1].text()
+    assert told.startswith("The piece finds no room on ")
+    dialog = opened()
+    assert dialog.choice == chosen
+    dialog.sides[0].setValue(600)
+    dialog.machine.setCurrentText("No router")
+    QTest.mouseClick(dialog.nest, LEFT)
+    rest()
+    said = " ".join(notice.text for notice in clinic.services.notices.notices)
+    assert "One piece is nested in day.3mf." in said
+    dialog = opened()
+    assert dialog.choice.milling is None
+    dialog.block.setCurrentIndex(0)
+    dialog.block.edited.emit(dialog.block.currentData())
+    questions.path = None
+    QTest.mouseClick(dialog.nest, LEFT)
+    assert opened().choice.block.size_mm == (600, 150, 20), "what was not nested is not kept"
+
+
 def test_orders_of_the_page_are_nested_on_a_sheet(
     page: OrdersPage, clinic: Application, records: Records, visit: Visit, order: Order,
     questions: CannedQuestions, tmp_path: Path, rest: Callable[[], None],
@@ -460,6 +511,7 @@ def test_orders_of_the_page_are_nested_on_a_sheet(
     assert dialog is not None
     questions.path = tmp_path / "never.3mf"
     QTest.mouseClick(dialog.nest, LEFT)
+    qtbot.waitUntil(lambda: clinic.services.jobs.is_running(NESTING))
     clinic.services.jobs.cancel(NESTING)
     rest()
     assert not [*papers.iterdir()]
@@ -524,6 +576,7 @@ def test_orders_of_the_page_are_nested_on_a_sheet(
     QTest.mouseClick(page.nest_button, LEFT)
     dialog = clinic.features.records.nest_actions.dialog
     assert dialog is not None
+    assert dialog.machine.currentText() == "LinuxCNC"
     questions.path = tmp_path / "Berg friday.3mf"
     QTest.mouseClick(dialog.nest, LEFT)
     rest()
