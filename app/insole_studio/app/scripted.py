@@ -258,7 +258,7 @@ class ScriptedWindow:
         Raises
         ------
         OutputError
-            If nothing was written; the sentence is that of the stage.
+            If nothing was written; the sentence is the one that was told.
         """
         self.answers.path = path
         return export_at_stage(self.app)
@@ -303,7 +303,7 @@ def export_at_stage(app: Application) -> tuple[Path, ...]:
     Raises
     ------
     OutputError
-        If nothing was written; the sentence is that of the stage.
+        If nothing was written; the sentence is the one that was told.
     """
     app.features.export.open()
     stage = app.features.export.stage
@@ -311,9 +311,11 @@ def export_at_stage(app: Application) -> tuple[Path, ...]:
     written: list[Path] = []
     stage.exported.connect(lambda _record, ordered: written.extend(ordered.paths))
     wait_for(stage.jobs)
+    known = list(app.services.messages.dialogs)
     stage.view.export.click()
     wait_for(stage.jobs)
-    sentence = stage.view.error.text()
+    told = [one.text() for one in app.services.messages.dialogs if one not in known]
+    sentence = " ".join(told) or stage.view.error.text()
     stage.close()
     app.window.activateWindow()  # as a window manager does when another window has closed
     wait_for(app.jobs)
