@@ -119,7 +119,7 @@ class ExportJob:
     responsible
         Who prescribes and who makes, for the prescription.
     materials
-        What each side is made of, for the papers.
+        What each side of the order is made of, for the papers.
     block
         From which the parts are made, and in which a pair is nested; None for none.
     override
@@ -315,6 +315,7 @@ def run_export_job(
     if beside.checks is not None:
         text = json.dumps(_joined(job, records), indent=1, ensure_ascii=False)
         write_text(text + "\n", beside.checks)
+    materials = {part.side: job.materials.get(part.side, "") for part in job.parts}
     if beside.job_sheet is not None:
         from insole_core.export.paper import write_job_sheet
 
@@ -326,7 +327,7 @@ def run_export_job(
             sheet_terms(
                 job.release,
                 job.identification.get("pseudonym", ""),
-                {part.side: job.materials.get(part.side, "") for part in job.parts},
+                materials,
                 job.terms,
             )
         )
@@ -341,7 +342,7 @@ def run_export_job(
             beside.prescription,
             responsible=job.responsible,
             identification={**job.patient, **job.identification, **_numbers(job)},
-            material=joined(dict.fromkeys(filter(None, job.materials.values())), " / "),
+            material=joined(dict.fromkeys(filter(None, materials.values())), " / "),
             day=date.today(),
             provenance={
                 part.side: {"change of pressure": joined(part.told, " ")}

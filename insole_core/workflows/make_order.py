@@ -404,6 +404,7 @@ def write_order(
             job = _export_job(
                 group,
                 choice,
+                of_order=parts,
                 shop=shop,
                 patient=patient,
                 responsible=responsible,
@@ -445,6 +446,7 @@ def _export_job(
     group: Sequence[Part],
     choice: OrderChoice,
     *,
+    of_order: Sequence[Part],
     shop: Shop,
     patient: Patient,
     responsible: Responsible,
@@ -454,14 +456,20 @@ def _export_job(
     release: Release,
     translate: Translate,
 ) -> ExportJob:
-    """Return the job that writes the parts of one file with their papers."""
+    """Return the job that writes the parts of one file with their papers.
+
+    Parameters
+    ----------
+    of_order
+        All its parts, which each file's papers show.
+    """
     return ExportJob(
         tuple(group),
         shop,
         identification={"pseudonym": choice.pseudonym} if choice.pseudonym else {},
         patient=_patient_facts(patient),
         responsible=responsible,
-        materials={part.side: ordered_material(choice, part.insole.design) for part in group},
+        materials={part.side: ordered_material(choice, part.insole.design) for part in of_order},
         block=choice.block,
         override=override,
         ascii_stl=choice.ascii_stl,

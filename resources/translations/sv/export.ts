@@ -492,6 +492,10 @@
             <translation>Säg om filerna i en beställning är som de skrevs</translation>
         </message>
         <message>
+            <source>Seen from above: the foot stands on this side, toes up.</source>
+            <translation>Sedd uppifrån: foten står på denna sida, tårna uppåt.</translation>
+        </message>
+        <message>
             <source>Single files</source>
             <translation>Enskilda filer</translation>
         </message>

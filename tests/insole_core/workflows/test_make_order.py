@@ -431,7 +431,10 @@ def test_each_foot_is_ordered_in_the_material_of_its_prescription(
         write_order(parts, ordered, tmp_path / "o.stl", shop=SHOP, patient=PATIENT)
         for side, word in zip(("left", "right"), words, strict=True):
             (sheet,) = tmp_path.glob(f"o-{side}*.pdf")
-            assert re.search(rf"Material\n{word}", text_of_pdf(sheet))
+            text = text_of_pdf(sheet)
+            assert re.search(rf"Material\n{word}", text)
+            assert f"Material\n{', '.join(words)}\n" in text  # where both feet are drawn
+            assert "–" not in "".join(re.findall(r"Material\n(.*)", text))
 
 
 @pytest.fixture

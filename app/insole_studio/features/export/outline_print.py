@@ -71,8 +71,9 @@ def print_outline(insole: Insole, whose: str, path: Path) -> str:
     painter = QPainter(writer)
     painter.scale(DPI / 25.4, DPI / 25.4)  # from here on in mm
     _draw_outline(painter, insole, outline, page_mm)
-    words = tr("Paper: {paper}").format(paper=paper)
-    _draw_beside(painter, page_mm, whose, words)
+    seen = tr("Seen from above: the foot stands on this side, toes up.")
+    words = [whose, seen, tr("Paper: {paper}").format(paper=paper)]
+    _draw_beside(painter, page_mm, "\n\n".join(words))
     painter.end()
     with replacing_file(path) as beside:
         beside.write_bytes(exact_pages(content, [page_mm]))
@@ -102,8 +103,8 @@ def _draw_outline(
         painter.drawPolygon(on_page(pad_outline(pad, 180)))
 
 
-def _draw_beside(painter: QPainter, page_mm: tuple[float, float], whose: str, words: str) -> None:
-    """Write whose outline it is, and draw a ruler to verify the scale: printers shrink pages."""
+def _draw_beside(painter: QPainter, page_mm: tuple[float, float], words: str) -> None:
+    """Write what the sheet shows, and draw a ruler to verify the scale: printers shrink pages."""
     # Without caps, which would make the ruler longer by its width.
     flat = Qt.PenCapStyle.FlatCap
     painter.setPen(QPen(Qt.GlobalColor.black, 0.2, Qt.PenStyle.SolidLine, flat))
@@ -113,10 +114,10 @@ def _draw_beside(painter: QPainter, page_mm: tuple[float, float], whose: str, wo
     wrapped = QTextOption()
     wrapped.setWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
     x, top = _ROOM_MM + 2.0, page_mm[1] - _ROOM_MM - 4.0 - RULER_MM
-    painter.drawText(QRectF(x, _ROOM_MM, _BESIDE_MM - 2.0, top - 20.0), whose, wrapped)
+    painter.drawText(QRectF(x, _ROOM_MM, _BESIDE_MM - 2.0, top - 20.0), words, wrapped)
     painter.drawLine(QPointF(x, top), QPointF(x, top + RULER_MM))
     for y in np.arange(0.0, RULER_MM + 1, 10.0):
         painter.drawLine(QPointF(x, top + y), QPointF(x + (3 if y % 50 == 0 else 1.5), top + y))
     length = tr("This line is 100 mm long. If not, print without scaling.")
     at = QRectF(x + 5.0, top, _BESIDE_MM - 7.0, RULER_MM)
-    painter.drawText(at, f"{length}\n\n{words}", wrapped)
+    painter.drawText(at, length, wrapped)

@@ -34,6 +34,7 @@ from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.side_switch import COLORS
+from insole_studio.widgets.single_click_button import SingleClickButton
 
 LENGTH, SHOE, _DISTANCE = "length", "shoe", "distance"
 _UNITS: tuple[Unit, ...] = ("mm", "cm", "m", "inch")
@@ -184,9 +185,8 @@ class ImportDialog(QDialog):
         self.notes = MessageLabel("quiet")
         self.progress = ProgressBar()
         self.buttons = QDialogButtonBox()
-        self.open_button = self.buttons.addButton(
-            tr("Open"), QDialogButtonBox.ButtonRole.AcceptRole
-        )
+        self.open_button = SingleClickButton(tr("Open"))
+        self.buttons.addButton(self.open_button, QDialogButtonBox.ButtonRole.AcceptRole)
         leave = self.buttons.addButton(tr("Do not open"), QDialogButtonBox.ButtonRole.RejectRole)
         leave.setAutoDefault(False)  # else Enter leaves while Open cannot be pressed
         self.buttons.accepted.connect(self.open_wanted)
@@ -287,9 +287,19 @@ class ImportDialog(QDialog):
         if self.model.scene.is_open:
             self.model.show_key_points(points)
 
-    def show_opening(self, text: str, *, is_enabled: bool, why_not: str = "") -> None:
-        """Name the button that opens; say whether it can be pressed, and what hinders it."""
+    def show_opening(
+        self, text: str, *, is_enabled: bool, insists: bool, why_not: str = ""
+    ) -> None:
+        """Name the button that opens; say whether it can be pressed, and what hinders it.
+
+        Parameters
+        ----------
+        insists
+            Whether it opens against what was told: then Enter does not press it.
+        """
         self.open_button.setText(text)
+        self.open_button.setDefault(not insists)
+        self.open_button.setAutoDefault(not insists)
         self.open_button.setEnabled(is_enabled)
         self.why_not.say(why_not)
 

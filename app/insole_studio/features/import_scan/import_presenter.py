@@ -304,10 +304,11 @@ class ImportPresenter(QObject):
         why_not = _hindrance(sides) if len(self._chosen) > 1 else ""
         is_clear = bool(sides) and None not in sides and not why_not
         is_busy = self._jobs.is_running(FIND) or self._jobs.is_running(TAKE)
-        text = tr("Open anyway") if self._force and marked else tr("Open")
+        insists = self._force and bool(marked)
+        text = tr("Open anyway") if insists else tr("Open")
         is_unit_known = not any(foot.unit_readings for foot in self._found.feet)
         is_enabled = is_clear and not is_busy and not self._wants_distance and is_unit_known
-        self._dialog.show_opening(text, is_enabled=is_enabled, why_not=why_not)
+        self._dialog.show_opening(text, is_enabled=is_enabled, insists=insists, why_not=why_not)
 
     def _show_clicks(self, *, is_on: bool | None = None) -> None:
         wants_distance = self._wants_distance

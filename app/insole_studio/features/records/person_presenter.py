@@ -397,7 +397,7 @@ def _version_line(version: VersionSummary) -> str:
 def trends_of(visits: Sequence[Visit]) -> list[Trend]:
     """Return each measure that two or more visits have, over their days, oldest first."""
     found: dict[tuple[str, Side | None], list[tuple[str, float, float | None]]] = {}
-    for visit in sorted(visits, key=lambda visit: visit.visited_on):
+    for visit in sorted(visits, key=lambda visit: (visit.visited_on, visit.created_at)):
         day = visit.visited_on.isoformat()
         for one in stored_measures(visit.measures):
             name = _names().get(one.key)

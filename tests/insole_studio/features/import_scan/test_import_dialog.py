@@ -14,9 +14,10 @@ import pytest
 import trimesh
 from asked_scan import asked_scan
 from pointing import pixel
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 from read_pdf import text_of_pdf
 
 from insole_core.cases.case_record import Patient
@@ -123,6 +124,17 @@ def test_the_other_side_outlives_another_reading_and_is_opened_only_if_the_user_
     assert "looks like a right foot" in dialog.doubts.text()
     assert "--" not in dialog.doubts.text()
     assert dialog.open_button.text() == "Open anyway"
+    # The second click of a double-click, and Enter, are meant for the button that was there.
+    at = QPointF(dialog.open_button.rect().center())
+    for kind in (QEvent.Type.MouseButtonDblClick, QEvent.Type.MouseButtonRelease):
+        pressed = LEFT if kind is QEvent.Type.MouseButtonDblClick else Qt.MouseButton.NoButton
+        everywhere = dialog.open_button.mapToGlobal(at)
+        event = QMouseEvent(kind, at, everywhere, LEFT, pressed, Qt.KeyboardModifier.NoModifier)
+        QApplication.sendEvent(dialog.open_button, event)
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    settle()
+    assert app.case.foot is None
+    assert asked_scan(app) is dialog
     QTest.mouseClick(dialog.open_button, LEFT)
     settle()
     assert app.case.foot is not None

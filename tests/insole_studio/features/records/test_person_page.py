@@ -31,6 +31,7 @@ from insole_core.workflows.starting_design import mirrored_foot, starting_device
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.main_controller import SCANNING
 from insole_studio.features.records.person_page import PERSON, PersonPage
+from insole_studio.features.records.person_presenter import trends_of
 from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
 from insole_studio.features.records.record_transfer import PersonExportDialog
 from insole_studio.features.records.version_dialogs import FieldConflictDialog, HistoryDialog
@@ -736,3 +737,18 @@ def test_names_are_shown_as_they_are(
     assert page is not None
     assert page._name.text() == evil
     assert page._name.textFormat() is Qt.TextFormat.PlainText
+
+
+def test_a_trend_goes_from_the_earlier_to_the_later_of_two_visits_on_one_day() -> None:
+    visits = [
+        Visit(
+            "p", day, measures={"right_foot_length_mm": value_mm}, created_at=f"2026-11-28T{at}:00Z"
+        )
+        for day, at, value_mm in (
+            (date(2026, 11, 28), "10:50", 274.9),  # as the record gives them: the newest first
+            (date(2026, 11, 28), "10:37", 239.5),
+            (date(2026, 11, 2), "23:59", 238.0),
+        )
+    ]
+    (trend,) = trends_of(visits)
+    assert trend.values == (238.0, 239.5, 274.9)
