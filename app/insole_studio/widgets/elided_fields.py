@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRect, Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QPushButton,
@@ -12,6 +13,12 @@ from PySide6.QtWidgets import (
     QStyleOptionButton,
     QStyleOptionComboBox,
     QWidget,
+)
+
+_HELD = (
+    Qt.KeyboardModifier.AltModifier
+    | Qt.KeyboardModifier.ControlModifier
+    | Qt.KeyboardModifier.MetaModifier
 )
 
 
@@ -43,6 +50,13 @@ class ElidedComboBox(QComboBox):
             self,
         )
         option.currentText = _elided(option, option.currentText, room)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Leave letters with Alt or Ctrl to menus; Qt's goes to a text that begins with them."""
+        if event.text() and event.modifiers() & _HELD:
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
 
 
 def _elided(option: QStyleOption, text: str, room: QRect) -> str:

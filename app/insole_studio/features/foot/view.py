@@ -32,6 +32,7 @@ from insole_studio.scene.coloring import Coloring
 from insole_studio.scene.scene_view import GRAB_PX, TOUCH_GRAB_PX
 from insole_studio.scene.view_camera import Preset, Subject
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.elided_fields import ElidedComboBox
 from insole_studio.widgets.form_parts import ComboBox, Fold, mark_labels
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
@@ -75,7 +76,7 @@ class FootStageView(QWidget):
         self.foot = ModelView(Subject.FOOT, "", dark)
         self.table = ViewTable()
         self.box = BoxFields()
-        self.maps = QComboBox()
+        self.maps = ElidedComboBox()
         self.maps.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.maps.setAccessibleName(tr("Colours of the foot"))
         self.maps.setToolTip(tr("What the colours of the foot show"))
