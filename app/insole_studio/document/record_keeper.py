@@ -79,6 +79,9 @@ class RecordKeeper(QObject):
     lost = Signal()
     """The visit is in the record no more, as one that was deleted at another station; its work
     stays here until it is kept as another one (`keep_as_new_visit`), or saved as a file."""
+    moved = Signal(str, str)
+    """The open visit is kept as another one in place of one that is lost: emitted with the id that
+    it had and the one that it has, so that all that was meant for the lost one comes to this."""
     erased = Signal()
     """The patient was erased, here or at another station, and the case closed: nothing stays."""
 
@@ -106,6 +109,8 @@ class RecordKeeper(QObject):
         self._then: Then | None = None
         self._otherwise: Then | None = None
         self._reason = ""
+        self._is_to_move = False
+        """Whether it is to be kept as a new visit once what is being saved is refused."""
         self._told = ""
         """The last refusal that the user was told: each change after it would tell it again."""
         self.state = KeepState.NOTHING
@@ -187,7 +192,10 @@ class RecordKeeper(QObject):
     def keep_as_new_visit(self) -> None:
         """Add what is open as another visit of its patient, in place of one that is lost."""
         kept = self._case.kept
-        if kept is None or self._is_saving:
+        if kept is None:
+            return
+        self._is_to_move = self._is_saving
+        if self._is_to_move:
             return
         self._is_saving, self._told = True, ""
 
@@ -204,6 +212,7 @@ class RecordKeeper(QObject):
             self._take_person(person)
             stored = replace(self._case.saved_record, feet=(), at_hand=None)
             self._case.mark_kept(stored, KeptVisit(person, visit))
+            self.moved.emit(kept.visit.id, visit.id)
             self._set_state(KeepState.CHANGED)
             self._save()
 
@@ -274,6 +283,7 @@ class RecordKeeper(QObject):
 
     def _begin(self) -> None:
         self._timer.stop()
+        self._is_to_move = False
         self._reason, self._told = "", ""
         self._conflict = self._patient_conflict = None
         is_changed = self._case.has_unsaved_changes
@@ -461,6 +471,10 @@ class RecordKeeper(QObject):
 
     def _refuse(self, error: InsoleError, *, is_lost: bool = False) -> None:
         """Tell what was refused, once, and again to whoever wants to leave it."""
+        if is_lost and self._is_to_move:
+            self._stay()
+            self.keep_as_new_visit()
+            return
         is_new = self._told != str(error)
         self._told = str(error)
         self._set_state(KeepState.REFUSED)

@@ -54,6 +54,7 @@ class CaptureWindow(StageWindow["CaptureStage"]):
         self._waiting: list[Path] = []
         self._names: dict[str, str] = {}
         """Of the visits that were listed since the stage was opened."""
+        services.keeper.moved.connect(self._move)
 
     def make_stage(self) -> CaptureStage:
         """Create the stage with the last assignment of views, and start the sensors."""
@@ -85,6 +86,12 @@ class CaptureWindow(StageWindow["CaptureStage"]):
             self.captured_for.emit(visit_id, path)
         else:
             self._waiting.append(path)
+
+    def _move(self, before: str, visit_id: str) -> None:
+        """Capture for the visit that has taken the place of a lost one, if that was chosen."""
+        if self.stage is not None and before in self._names:
+            self._names[visit_id] = self._names.pop(before)
+            self.stage.view.move_visit(before, visit_id)
 
     def _list_work(self) -> None:
         """Show whose feet wait to be captured, if the clinic's record can be asked."""

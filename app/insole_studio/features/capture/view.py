@@ -125,6 +125,12 @@ class CaptureView(QWidget):
         self._visits.show_value(before if before in ids else "")
         self._visits.setVisible(len(visits) > 1)
 
+    def move_visit(self, before: str, visit_id: str) -> None:
+        """Let a visit that is listed be another one from now on; it stays chosen."""
+        number = self._visits.findData(before)
+        if number >= 0:
+            self._visits.setItemData(number, visit_id)
+
     def _decide(self, _visit_id: str = "") -> None:
         """Propose no other patient from now on: the next foot may be of the same one."""
         self._decided = True

@@ -55,6 +55,7 @@ class SamePrescription(QObject):
         self._coming: _Coming | None = None
         self._case.foot_changed.connect(self._begin_foot)
         self._case.opened.connect(self._tell)
+        services.keeper.moved.connect(self._move)
 
     def expect(self, visit_id: str, templates: Mapping[Side, Template], *, applied: bool) -> None:
         """Expect the scans of a visit.
@@ -65,6 +66,11 @@ class SamePrescription(QObject):
             Whether a new scan gets its prescription at once; otherwise it is offered.
         """
         self._coming = _Coming(visit_id, templates, applied)
+
+    def _move(self, before: str, visit_id: str) -> None:
+        """Expect of the visit that has taken the place of a lost one what was expected of that."""
+        if self._coming is not None and self._coming.visit_id == before:
+            self._coming = replace(self._coming, visit_id=visit_id)
 
     def prescribed(self, foot: FootRecord) -> FootRecord:
         """Return a foot with the prescription that its visit expects, if it is to get one."""

@@ -114,6 +114,7 @@ class OrderActions(QObject):
         self._clinic.changed.connect(self._go_on)
         self._clinic.state_changed.connect(self._go_on)
         services.case.opened.connect(self._note_terms)
+        services.keeper.moved.connect(self._move)
 
     def note_export(self, exported: CaseRecord, ordered: Ordered, visit_id: str) -> None:
         """Store the order of the exported feet, once these are in the record as they were exported.
@@ -161,6 +162,15 @@ class OrderActions(QObject):
         self._left = [export for export in self._left if export.visit_id in visits]
         if self._waiting:
             self._store_when_saved()
+
+    def _move(self, before: str, visit_id: str) -> None:
+        """Let orders of a lost visit wait for the one that has taken its place."""
+        if before in self._terms:
+            self._terms[visit_id] = self._terms.pop(before)
+        for number, export in enumerate(self._waiting):
+            if export.visit_id == before:
+                moved = self._waiting[number] = replace(export, visit_id=visit_id)
+                self._kept.keep(moved.key, visit_id, moved.to_json())
 
     def close(self) -> None:
         """Leave what is not stored to the next window that starts."""

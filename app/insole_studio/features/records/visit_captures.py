@@ -34,7 +34,10 @@ class VisitCaptures(QObject):
         self._visit_id = ""
         self._stored: set[str] | None = None
         """SHA-256 of the scans that the visit has; None before the first answer."""
+        self._refused: dict[Path, str] = {}
+        """What the record did not take for the open visit, each with its kind."""
         self._case.opened.connect(self._begin)
+        services.keeper.moved.connect(self._move)
         self._case.changed.connect(self._store_new)
         self._clinic.changed.connect(self._look)
 
@@ -49,12 +52,26 @@ class VisitCaptures(QObject):
         def added(_capture: Capture) -> None:
             self._services.messages.say(tr("The capture is in the record."))
 
-        self._clinic.write(add, added, self._services.messages.show_error)
+        def missed(error: Exception) -> None:
+            if visit_id == self._visit_id:
+                self._refused[path] = kind
+            self._services.messages.show_error(error)
+
+        self._clinic.write(add, added, missed)
 
     def _begin(self) -> None:
         if self._services.keeper.visit_id != self._visit_id:
             self._visit_id, self._stored = self._services.keeper.visit_id, None
+            self._refused.clear()
         self._look()
+
+    def _move(self, _before: str, visit_id: str) -> None:
+        """Store with the visit that has taken the place of a lost one what was meant for that."""
+        of_feet = {Path(foot.source.path) for foot in self._case.record.feet}
+        others = {path: kind for path, kind in self._refused.items() if path not in of_feet}
+        self._begin()  # which stores the scans of the feet
+        for path, kind in others.items():
+            self.store(visit_id, path, kind)
 
     def _look(self) -> None:
         """Ask which captures the open visit has."""

@@ -15,19 +15,21 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_file import read_case
-from insole_core.cases.case_record import CaseRecord
+from insole_core.cases.case_record import CaseRecord, FootRecord
 from insole_core.cases.order_note import OrderNote
 from insole_core.cases.scan_source import ScanSource
 from insole_core.errors import RecordsError, Unreachable
 from insole_core.export.shop_order import OrderTerms
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
+from insole_core.given_file import sha256_of
 from insole_core.records.person import Person
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.record_field import FieldChoice
 from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.visit import Visit
+from insole_core.workflows.order_package import Ordered
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import clinic_record, record_keeper
 from insole_studio.document.clinic_record import RecordState
@@ -435,10 +437,26 @@ def test_what_the_record_refuses_can_be_saved_as_a_file(
 
 
 @pytest.fixture
+def delete_elsewhere(
+    clinic: Application, records: Records, other_station: Records, qtbot: QtBot
+) -> Callable[[], str]:
+    """Delete the visit that is open, which is empty, at the other station; return its id."""
+
+    def delete() -> str:
+        empty_id = clinic.services.keeper.visit_id
+        qtbot.waitUntil(lambda: bool(other_station.presence.others(empty_id)))
+        records.presence.leave(empty_id)  # as after a cut of the network
+        other_station.visits.delete(empty_id)
+        return empty_id
+
+    return delete
+
+
+@pytest.fixture
 def lost(
     clinic: Application,
     records: Records,
-    other_station: Records,
+    delete_elsewhere: Callable[[], str],
     make_foot: Callable[[Side], Foot],
     qtbot: QtBot,
 ) -> Application:
@@ -447,9 +465,7 @@ def lost(
     empty = records.visits.add(Visit(anna.id, date(2026, 2, 28)))
     clinic.features.records.open_visit(empty.id)
     qtbot.waitUntil(lambda: clinic.services.keeper.visit_id == empty.id)
-    qtbot.waitUntil(lambda: bool(other_station.presence.others(empty.id)))
-    records.presence.leave(empty.id)  # as after a cut of the network
-    other_station.visits.delete(empty.id)
+    delete_elsewhere()
     source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
     clinic.case.open_foot(make_foot(Side.LEFT), source)
     qtbot.waitUntil(lambda: clinic.services.keeper.state is KeepState.REFUSED)
@@ -479,6 +495,80 @@ def test_work_on_a_visit_that_was_deleted_elsewhere_is_kept_as_a_new_visit(
     qtbot.waitUntil(lambda: bool(other_station.presence.others(visit.id)))
     with qtbot.waitSignal(lost.controller.closed):
         lost.window.close()
+
+
+def test_all_that_was_meant_for_a_lost_visit_comes_to_the_one_in_its_place(
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    delete_elsewhere: Callable[[], str],
+    make_foot: Callable[[Side], Foot],
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    """The scans, also one that was replaced, what the next foot is prescribed, and an order."""
+
+    def scan(name: str, side: Side) -> None:
+        path = tmp_path / name
+        path.write_bytes(name.encode())
+        source = ScanSource("mesh", str(path), sha256_of(path, 1000))
+        foot = FootRecord.begun(make_foot(side), source)
+        clinic.case.apply(foot, "Import a scan")
+
+    for side in Side:
+        opened = records.visits.open_case(visit.id)
+        foot = opened.record.of_side(side) or FootRecord.begun(
+            make_foot(side), ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+        )
+        thick = foot.with_design(replace(foot.design, thickness_mm=3.7))
+        records.prescriptions.save(visit.id, thick, opened.bases.get(side))
+    keeper, work = clinic.services.keeper, clinic.features.records
+    work.show_person(visit.person_id)
+    qtbot.waitUntil(lambda: work.person_on_page is not None)
+    clinic.controller.run_action("new_visit_same", False)
+    qtbot.waitUntil(lambda: keeper.visit_id not in ("", visit.id))
+    qtbot.waitUntil(lambda: work.captures._stored is not None)
+    lost_id = delete_elsewhere()
+    for name in ("blurred.stl", "left.stl"):
+        scan(name, Side.LEFT)
+    qtbot.waitUntil(lambda: bool(lost_notice(clinic)))
+    solid = tmp_path / "solid.stl"
+    solid.write_bytes(b"solid")
+    ordered = Ordered((solid,), OrderTerms(colour="black"), "26-7")
+    work.order_actions.note_export(clinic.case.record, ordered, lost_id)
+    clinic.services.notices.take("record-lost")
+    wait_until_saved(clinic, qtbot)
+    assert keeper.visit_id not in (visit.id, lost_id)
+    scan("right.stl", Side.RIGHT)
+    names = {"blurred.stl", "left.stl", "right.stl"}
+    qtbot.waitUntil(
+        lambda: {one.file_name for one in records.captures.of_visit(keeper.visit_id)} == names
+    )
+    design = clinic.case.record.design
+    assert design is not None
+    assert design.thickness_mm == 3.7
+    qtbot.waitUntil(lambda: bool(records.orders.of_person(visit.person_id)))
+    (order,) = records.orders.of_person(visit.person_id)
+    assert order.visit_id == keeper.visit_id
+    wait_until_saved(clinic, qtbot)
+
+
+def test_who_was_captured_for_stays_chosen_when_a_lost_visit_is_kept_as_a_new_one(
+    lost: Application, qtbot: QtBot
+) -> None:
+    lost_id = lost.services.keeper.visit_id
+    lost.controller.run_action("capture", False)
+    stage = lost.features.capture.stage
+    assert stage is not None
+    visits = stage.view._visits
+    qtbot.waitUntil(lambda: stage.view.visit_id == lost_id)
+    lost.services.notices.take("record-lost")
+    qtbot.waitUntil(lambda: stage.view.visit_id not in ("", lost_id))
+    wait_until_saved(lost, qtbot)
+    assert stage.view.visit_id == lost.services.keeper.visit_id
+    assert visits.currentText() == "Anna Berg (open here)"
+    assert visits.count() == 2
+    stage.close()
 
 
 def test_work_on_a_visit_that_was_deleted_elsewhere_is_saved_as_a_file(
