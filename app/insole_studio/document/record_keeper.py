@@ -450,6 +450,33 @@ class RecordKeeper(QObject):
         else:
             self._refuse(error)
 
+    def note_refused(
+        self, visit_id: str, error: Exception, tell: Callable[[Exception], None]
+    ) -> None:
+        """Tell why the record did not take something for a visit, unless that is open and lost.
+
+        Then what becomes of the visit is all that the user has to know.
+        """
+        kept = self._case.kept
+        is_open = kept is not None and kept.visit.id == visit_id
+        if kept is None or not is_open or not isinstance(error, RecordsError):
+            tell(error)
+            return
+
+        def found(whose: tuple[Person, bool]) -> None:
+            person, is_there = whose
+            if is_there or person.is_erased:
+                tell(error)
+            elif self.visit_id == visit_id:
+                self._refuse(error, is_lost=True)
+
+        self._clinic.ask(
+            f"{_WHOSE}-of-refused",
+            lambda records: _whose(records, kept),
+            found,
+            lambda _error: tell(error),
+        )
+
     def _refuse_unless_erased(self, kept: KeptVisit, error: RecordsError) -> None:
         """Tell why nothing was stored, unless the visit has gone with an erased patient."""
 
@@ -475,6 +502,13 @@ class RecordKeeper(QObject):
             self._stay()
             self.keep_as_new_visit()
             return
+        if is_lost:  # in place of what the record says: whoever opens the person leaves the work
+            sentence = tr(
+                "This visit was deleted elsewhere: keep what you have made as a new visit, or save "
+                "it as a file."
+            )
+            error = RecordsError(sentence)
+            self.trouble = sentence
         is_new = self._told != str(error)
         self._told = str(error)
         self._set_state(KeepState.REFUSED)

@@ -788,6 +788,10 @@
             <translation>Besöket är öppet även på annat håll: {who}. Inget går förlorat.</translation>
         </message>
         <message>
+            <source>This visit was deleted elsewhere: keep what you have made as a new visit, or save it as a file.</source>
+            <translation>Detta besök togs bort på ett annat ställe: behåll det du har gjort som ett nytt besök, eller spara det som en fil.</translation>
+        </message>
+        <message>
             <source>This visit was deleted elsewhere; what you have made is kept on this computer.</source>
             <translation>Detta besök togs bort på ett annat ställe; det du har gjort finns kvar på den här datorn.</translation>
         </message>

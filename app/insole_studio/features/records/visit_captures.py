@@ -55,7 +55,7 @@ class VisitCaptures(QObject):
         def missed(error: Exception) -> None:
             if visit_id == self._visit_id:
                 self._refused[path] = kind
-            self._services.messages.show_error(error)
+            self._services.keeper.note_refused(visit_id, error, self._services.messages.show_error)
 
         self._clinic.write(add, added, missed)
 

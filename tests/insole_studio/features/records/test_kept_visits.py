@@ -532,6 +532,8 @@ def test_all_that_was_meant_for_a_lost_visit_comes_to_the_one_in_its_place(
     for name in ("blurred.stl", "left.stl"):
         scan(name, Side.LEFT)
     qtbot.waitUntil(lambda: bool(lost_notice(clinic)))
+    qtbot.waitUntil(lambda: not clinic.services.clinic.jobs.is_running())
+    assert not clinic.services.messages.dialogs, "the notice alone tells what to do"
     solid = tmp_path / "solid.stl"
     solid.write_bytes(b"solid")
     ordered = Ordered((solid,), OrderTerms(colour="black"), "26-7")
@@ -579,7 +581,10 @@ def test_work_on_a_visit_that_was_deleted_elsewhere_is_saved_as_a_file(
         lost.window.close()
         qtbot.waitUntil(lambda: bool(messages.dialogs))
         (dialog,) = messages.dialogs
-        assert dialog.text().startswith("This visit is no longer in the record")
+        assert dialog.text() == (
+            "This visit was deleted elsewhere: keep what you have made as a new visit, or save it "
+            "as a file."
+        )  # and not to open the person again, which leaves the work
         dialog.done(0)
     assert len(lost_notice(lost)) == 1
     questions.path = tmp_path / "kept.insole"
