@@ -380,7 +380,10 @@ def _step_off_sides(
     size_mm: tuple[float, float],
     margin_mm: float,
 ) -> FloatArray:
-    """Return by how much (2,) pieces in a corner go further in: half the free room, or a gap."""
+    """Return by how much (2,) pieces in a corner go further in, mm.
+
+    Half the room that is free, until `GAP_MM` lie between them and the sides.
+    """
     ends = [one.applied(outline).max(axis=0) for one, outline in zip(lie, outlines, strict=True)]
     free_mm = np.array(size_mm) - margin_mm - np.max(ends, axis=0)
     return np.asarray(np.clip(free_mm / 2, 0.0, max(GAP_MM - margin_mm, 0.0)))

@@ -97,7 +97,8 @@ class MainController(QObject):
     def quit(self) -> None:
         """Close the window after unsaved work has been dealt with."""
         saver = self._features.case_files.saver
-        self._features.calibrate.after_result(lambda: saver.after_unsaved(self._close))
+        # The result last: it is dropped for good, and at the case one may still go on.
+        saver.after_unsaved(lambda: self._features.calibrate.after_result(self._close))
 
     def _connect_window(self) -> None:
         window, design = self._window, self._features.design

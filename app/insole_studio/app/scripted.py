@@ -24,7 +24,15 @@ from insole_studio.app.bootstrap import (
 from insole_studio.jobs import Jobs
 from insole_studio.scene.scene_view import SceneView
 from insole_studio.services.files import Kept, complete_name
-from insole_studio.services.questions import Answer, InUse, OtherFoot, Questions, SameSide, Unsaved
+from insole_studio.services.questions import (
+    Answer,
+    InUse,
+    Namesake,
+    OtherFoot,
+    Questions,
+    SameSide,
+    Unsaved,
+)
 from insole_studio.texts import tr
 from insole_studio.user_paths import UserPaths
 from insole_studio.widgets.form_parts import Field
@@ -101,6 +109,10 @@ class _AnsweredQuestions(Questions):
     def about_result(self, _step: str) -> Answer:
         """Return what to do with a result of the calibration."""
         return self.answers.unsaved
+
+    def about_namesake(self, _person: str, _same: str, _another: str) -> Namesake:
+        """Return whether a namesake of somebody who is there is added all the same."""
+        return Namesake.ANOTHER if self.answers.anyway else Namesake.CANCEL
 
     def about_same_side(self, _side: Side, _order: str = "") -> SameSide:
         """Return what to do with a second scan of the same side."""

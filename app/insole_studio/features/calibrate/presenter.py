@@ -167,7 +167,7 @@ class CalibratePresenter:
             answer = self._ask_result(self._step.title())
             self._is_asking = False
             if answer is Answer.DISCARD:
-                self._result = None
+                self._drop()
             elif answer is Answer.SAVE:
                 self.save()
         if self._result is None:
@@ -176,6 +176,13 @@ class CalibratePresenter:
         if self._is_saving and also_saved:
             self._then = then
         self._show_chosen()
+
+    def _drop(self) -> None:
+        """Take a result away with all that is said of it, also where nothing takes its place."""
+        self._result = None
+        self._panel.show_error("")
+        self._show_hint()
+        self._show_buttons()
 
     @property
     def _is_saving(self) -> bool:
@@ -244,13 +251,9 @@ class CalibratePresenter:
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of images, and inspect it."""
-
-        def ask() -> None:
-            folder = self._ask_folder()
-            if folder is not None:
-                self.look_at(folder)
-
-        self.after_result(ask, also_saved=False)
+        folder = self._ask_folder()
+        if folder is not None:
+            self.after_result(lambda: self.look_at(folder), also_saved=False)
 
     def look_at(self, folder: Path) -> None:
         """Inspect every image of a folder in the background."""

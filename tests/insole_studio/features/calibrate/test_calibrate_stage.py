@@ -215,6 +215,15 @@ def test_a_result_is_left_only_once_it_was_saved_or_dropped(
     assert store.load("SIM1") is None
 
     calibrate()
+    chosen.folder = None  # no folder is chosen: then nothing is asked, and nothing left
+    view.choose.click()
+    assert is_kept()
+    chosen.folder = pictures / "boards"
+    with answering("Drop the result"):
+        stage.live.take()  # of which nothing comes: no sensor is there
+    assert not view.save.isEnabled()
+    assert "Save it, if this" not in view.next_steps.text()
+    calibrate()
     with answering("Save to the device"):
         view.steps.setCurrentRow(3)
     settle()
