@@ -1,13 +1,14 @@
 """Says to other stations which visit is open here, and here who else has it open.
 
-The record knows stations and persons; two windows of one person at one station are told apart by a
-lock that each visit has on this computer.
+The record knows stations and persons; two windows of one person at one station are told apart by
+locks on this computer: each window that has a visit open holds one, the first that is free.
 """
 
 from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
+_MOST_WINDOWS = 8
 CHANNEL, NOTICE = "records-presence", "record-presence"
 REFRESH_MS = 20_000
 
@@ -36,6 +38,8 @@ class VisitPresence(QObject):
         self._clinic = services.clinic
         self._visit_id = ""
         self._lock: FileLock | None = None
+        self._place = _MOST_WINDOWS
+        """Which lock of the visit that is; 0 is that of the window that had it open first."""
         self._told: tuple[str, ...] = ()
         self._timer = QTimer(self)
         self._timer.setInterval(REFRESH_MS)
@@ -46,8 +50,8 @@ class VisitPresence(QObject):
     def close(self) -> None:
         """Leave the visit at the end of the program."""
         self._timer.stop()
-        is_alone = self._let_go()
-        if is_alone and self._visit_id and self._clinic.is_open:
+        is_last = self._let_go(self._visit_id)
+        if is_last and self._visit_id and self._clinic.is_open:
             try:
                 self._clinic.ask_now(lambda records: records.presence.leave(self._visit_id))
             except InsoleError as error:  # others see soon enough that this station is silent
@@ -58,7 +62,7 @@ class VisitPresence(QObject):
         if before == self._visit_id:
             return
         self._told = ()
-        if self._let_go() and before:
+        if self._let_go(before) and before:
             self._clinic.write(
                 lambda records: records.presence.leave(before), lambda _nothing: None, _ignore
             )
@@ -68,16 +72,32 @@ class VisitPresence(QObject):
         else:
             self._timer.stop()
 
-    def _let_go(self) -> bool:
+    def _let_go(self, visit_id: str) -> bool:
         """Free the visit for other windows here; return whether none of them has it open, too."""
-        lock, self._lock = self._lock, None
-        if lock is None:
-            return True
-        is_alone = self._is_free(lock)
-        lock.release()
-        return is_alone
+        lock, self._lock, self._place = self._lock, None, _MOST_WINDOWS
+        if lock is not None:
+            lock.release()  # first, else two that close at once would each leave it to the other
+        return not any(map(self._is_held, self._services.paths.locks_folder.glob(_name(visit_id))))
 
-    def _is_free(self, lock: FileLock) -> bool:
+    def _line_up(self, visit_id: str) -> bool:
+        """Take the first lock that is free; return whether no window here had the visit before."""
+        folder = self._services.paths.locks_folder
+        for place in range(self._place):
+            lock = FileLock(folder / _name(visit_id, place))
+            if self._try_lock(lock):
+                if self._lock is not None:
+                    self._lock.release()
+                self._lock, self._place = lock, place
+                break
+        return self._place == 0
+
+    def _is_held(self, path: Path) -> bool:
+        lock = FileLock(path)
+        is_free = self._try_lock(lock)
+        lock.release()
+        return not is_free
+
+    def _try_lock(self, lock: FileLock) -> bool:
         """Take a lock unless another window has it; where none can be taken nobody is known to."""
         try:
             make_output_folder(self._services.paths.locks_folder)
@@ -88,9 +108,7 @@ class VisitPresence(QObject):
 
     def _enter(self) -> None:
         visit_id = self._visit_id
-        if self._lock is None:
-            self._lock = FileLock(self._services.paths.locks_folder / f"visit-{visit_id}.lock")
-        here = () if self._is_free(self._lock) else (tr("in another window of this computer"),)
+        here = () if self._line_up(visit_id) else (tr("in another window of this computer"),)
         if not self._clinic.is_writable:
             self._tell(visit_id, here)
             return
@@ -110,6 +128,10 @@ class VisitPresence(QObject):
             self._services.notices.put(NOTICE, sentence.format(who="; ".join(who)))
         else:
             self._services.notices.drop(NOTICE)
+
+
+def _name(visit_id: str, place: int | str = "*") -> str:
+    return f"visit-{visit_id}-{place}.lock"
 
 
 def _ignore(error: Exception) -> None:
