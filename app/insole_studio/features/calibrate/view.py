@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal, SignalInstance
+from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -67,6 +67,7 @@ class CalibrateView(QWidget):
         self.serial.textActivated.connect(self.serial_edited)
         self.steps = QListWidget()
         self.steps.currentItemChanged.connect(self._step_chosen)
+        self.steps.itemSelectionChanged.connect(self._mark_current)
         self._title, self._instruction, self.next_steps = QLabel(), QLabel(), QLabel()
         self._title.setObjectName("heading")
         self.error = MessageLabel("warning")
@@ -255,6 +256,12 @@ class CalibrateView(QWidget):
     def _step_chosen(self, item: QListWidgetItem | None) -> None:
         if item is not None:
             self.step_chosen.emit(item.data(_KEY))
+
+    def _mark_current(self) -> None:
+        """Mark the step that is shown: a click marks its own, even if that was not to be left."""
+        item = self.steps.currentItem()
+        if item is not None and not item.isSelected():
+            self.steps.setCurrentItem(item, QItemSelectionModel.SelectionFlag.ClearAndSelect)
 
     def _board_changed(self) -> None:
         self.board_edited.emit(self.board())

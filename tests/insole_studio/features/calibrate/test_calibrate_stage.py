@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from canned_questions import CannedQuestions
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from real_dialogs import answering
@@ -195,6 +196,7 @@ def test_a_result_is_left_only_once_it_was_saved_or_dropped(
     asked = "The result of the step Colour camera is not saved."
     for leave in (
         lambda: view.steps.setCurrentRow(1),
+        lambda: _click_step(stage, 1),
         lambda: _type_serial(stage, qtbot, "SIM2"),
         lambda: view._columns.setValue(7),
         view.choose.click,
@@ -207,10 +209,12 @@ def test_a_result_is_left_only_once_it_was_saved_or_dropped(
         assert is_kept()
         assert stage.isVisible()
         assert (view.steps.currentRow(), view.serial_line.text()) == (0, "SIM1")
+        assert [index.row() for index in view.steps.selectedIndexes()] == [0]
         assert view.board().columns == BOARD.columns
     with answering("Drop the result"):
-        view.steps.setCurrentRow(1)
+        _click_step(stage, 1)
     assert view.steps.currentRow() == 1
+    assert [index.row() for index in view.steps.selectedIndexes()] == [1]
     assert not view.save.isEnabled()
     assert store.load("SIM1") is None
 
@@ -234,6 +238,12 @@ def test_a_result_is_left_only_once_it_was_saved_or_dropped(
     calibrate()
     with answering("Drop the result"), qtbot.waitSignal(stage.closed):
         stage.close()
+
+
+def _click_step(stage: CalibrateStage, row: int) -> None:
+    steps = stage.view.steps
+    place = steps.visualItemRect(steps.item(row)).center()
+    QTest.mouseClick(steps.viewport(), Qt.MouseButton.LeftButton, pos=place)
 
 
 def _type_serial(stage: CalibrateStage, qtbot: QtBot, serial: str) -> None:
