@@ -107,6 +107,8 @@ class CalibrateView(QWidget):
         self.live_sentence = QLabel()
         self.live_sentence.setWordWrap(True)
         self._progress = ProgressBar()
+        self._pressed: QPushButton | None = None
+        """That was pressed and is grey while it works; it gets the focus back."""
         self._layout()
 
     def show_serials(self, serials: Sequence[str]) -> None:
@@ -203,11 +205,25 @@ class CalibrateView(QWidget):
 
     def show_buttons(self, buttons: CalibrateButtons) -> None:
         """Enable and disable the buttons."""
-        self.choose.setEnabled(buttons.choose)
-        self.calibrate.setEnabled(buttons.calibrate)
-        self.check.setEnabled(buttons.check)
-        self.save.setEnabled(buttons.save)
-        self.undo.setEnabled(buttons.undo)
+        enabled = {
+            self.choose: buttons.choose,
+            self.calibrate: buttons.calibrate,
+            self.check: buttons.check,
+            self.save: buttons.save,
+            self.undo: buttons.undo,
+        }
+        focused = self.window().focusWidget()
+        pressed = next((button for button in enabled if button is focused), None)
+        for button, is_enabled in enabled.items():
+            button.setEnabled(is_enabled)
+        if pressed is not None and not pressed.isEnabled():
+            # Qt gives the focus to the serial number, all of it selected: the next key replaces it.
+            self._pressed = pressed
+            self.steps.setFocus(Qt.FocusReason.OtherFocusReason)
+        elif self._pressed is not None and self._pressed.isEnabled():
+            if focused is self.steps:  # else the user has gone on elsewhere
+                self._pressed.setFocus(Qt.FocusReason.OtherFocusReason)
+            self._pressed = None
 
     def board(self) -> BoardSize:
         """Return the board entered in the fields."""

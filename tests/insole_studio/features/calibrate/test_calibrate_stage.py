@@ -171,6 +171,29 @@ def test_colour_camera_from_folder_to_device(
     assert stage.view.steps.currentRow() == 1
 
 
+def test_a_button_has_the_focus_again_when_it_has_worked(
+    stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, qtbot: QtBot
+) -> None:
+    view = stage.view
+    chosen.folder = pictures / "boards"
+    give_serial(stage)
+    view.show_board(BoardSize(BOARD.columns, BOARD.rows, BOARD.square_mm))
+    stage.presenter.edit_board(view.board())
+    for button in (view.choose, view.calibrate):
+        button.setFocus()
+        qtbot.keyClick(button, Qt.Key.Key_Space)
+        assert not button.isEnabled()
+        assert stage.focusWidget() is view.steps
+        settle()
+        assert stage.focusWidget() is button
+    view.save.setFocus()
+    qtbot.keyClick(view.save, Qt.Key.Key_Space)
+    settle()
+    assert not view.save.isEnabled()  # there is nothing to save any more
+    assert stage.focusWidget() is view.steps
+    assert view.serial_line.text() == "SIM1"
+
+
 @pytest.mark.slow
 def test_a_result_is_left_only_once_it_was_saved_or_dropped(
     stage: CalibrateStage, chosen: Chosen, pictures: Path, settle, tmp_path: Path, qtbot: QtBot
