@@ -162,6 +162,8 @@ def _style_sheet(colors: Colors) -> str:
     QDockWidget::title {{ background: {colors.raised}; padding: 4px 8px; }}
     QMainWindow::separator {{ background: {colors.line}; width: 3px; height: 3px; }}
     QMenu {{ menu-scrollable: 1; }}
+    QMenu::icon {{ left: 5px; border: 1px solid transparent; border-radius: 4px; }}
+    QMenu::icon:checked {{ background: {colors.accent}; border-color: {colors.on_accent}; }}
     QStatusBar {{ border-top: 1px solid {colors.line}; }}
     QStatusBar::item {{ border: none; }}
     """

@@ -14,16 +14,19 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QFileDialog,
     QLabel,
+    QMenu,
     QToolButton,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
 
+from insole_studio.app.bootstrap import Application
 from insole_studio.app.theme import DARK, LIGHT, Colors, apply_theme
 from insole_studio.scene.painter import MATERIAL, Scheme
 from insole_studio.widgets.side_switch import COLORS
 
 TEXT, GRAPHICS = 4.5, 3.0
+ICON_PX = 22
 THEMES = pytest.mark.parametrize("colors", [LIGHT, DARK], ids=["light", "dark"])
 SCHEMES = pytest.mark.parametrize("scheme", [Scheme.of(False), Scheme.of(True)])
 
@@ -78,6 +81,32 @@ def test_a_box_to_tick_is_seen(qapp: QApplication, qtbot: QtBot, dark: bool, tic
     apply_theme(qapp, dark=False)
     ground = (DARK if dark else LIGHT).window
     assert max(contrast(color, ground) for color in seen) >= GRAPHICS
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("ticked", [False, True])
+def test_the_icon_of_a_menu_is_seen_and_whether_it_is_ticked(
+    app: Application, qapp: QApplication, dark: bool, ticked: bool
+) -> None:
+    apply_theme(qapp, dark)
+    app.window.renew_icons()
+    action = app.window.actions_by_key["linked"]
+    was_ticked = action.isChecked()
+    app.window.check_action("linked", ticked)
+    (menu,) = [one for one in app.window.menuBar().findChildren(QMenu) if action in one.actions()]
+    menu.popup(app.window.pos())
+    place = menu.actionGeometry(action)
+    place.setWidth(ICON_PX)
+    image = menu.grab(place).toImage()
+    places = [(x, y) for x in range(image.width()) for y in range(image.height())]
+    seen = {image.pixelColor(x, y).name() for x, y in places}
+    menu.close()
+    apply_theme(qapp, dark=False)
+    app.window.renew_icons()
+    app.window.check_action("linked", was_ticked)
+    colors = DARK if dark else LIGHT
+    assert (colors.on_accent if ticked else colors.text) in seen
+    assert (colors.accent in seen) is ticked
 
 
 @pytest.mark.parametrize("dark", [False, True])
