@@ -10,7 +10,7 @@ from insole_core.errors import ReconstructionError, UsageError
 from insole_core.foot.display_surface import DisplaySurface, display_surface
 from insole_core.foot.foot_placement import place_foot
 from insole_core.geometry.mesh import TriangleMesh
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side
 from insole_core.geometry.transforms import inverse
 from insole_core.progress import SILENT, Progress
 from insole_core.reconstruct import (
@@ -116,7 +116,9 @@ class MeasuredSession:
 
     def taken_as(self, side: Side) -> MeasuredSession:
         """Take the session of one foot as that of a side, whatever was said at its recording."""
-        manifest = replace(self.session.manifest, side=side)
+        recorded = self.session.manifest
+        assert recorded.side != BOTH, "of both feet, the place of each says which one it is"
+        manifest = replace(recorded, side=side)
         return replace(self, session=replace(self.session, manifest=manifest))
 
     def with_edits(self, edits: HandEdits) -> MeasuredSession:

@@ -101,6 +101,11 @@ def test_a_session_of_both_asks_which_foot_is_meant() -> None:
         open_session(BOTH_SMALL).of_foot(None)
 
 
+def test_a_session_of_both_is_not_taken_as_that_of_one(opened: MeasuredSession) -> None:
+    with pytest.raises(AssertionError, match="the place of each says which one it is"):
+        opened.taken_as(Side.LEFT)
+
+
 def test_a_missing_foot_is_named(opened: MeasuredSession) -> None:
     left, right = places_of(opened)
     nowhere = replace(right, origin_mm=(400.0, 0.0, 0.0))

@@ -425,7 +425,7 @@ class FootStagePresenter:
         if isinstance(error, MissingFootError) and self._ask_alone(str(error), error.side.other):
             self.make(only=error.side.other)
             return
-        if isinstance(error, SideMismatchError):
+        if isinstance(error, SideMismatchError) and self._only is None:
             shown = error.asked.other
             answer = self._ask_side(str(error), shown)
             if answer is OtherFoot.TAKE:
@@ -433,7 +433,8 @@ class FootStagePresenter:
             if answer is not OtherFoot.CANCEL:
                 self.make(force=answer is OtherFoot.INSIST)
                 return
-        if isinstance(error, DoubtfulFeetError) and self._ask(str(error)):
+        elif isinstance(error, (SideMismatchError, DoubtfulFeetError)) and self._ask(str(error)):
+            # The place of one foot of two says which one it is; the other has its own.
             self.make(force=True, only=self._only)
             return
         if not isinstance(error, InsoleError):

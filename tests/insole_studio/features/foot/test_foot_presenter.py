@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from insole_core.errors import ReconstructionError
-from insole_core.geometry.side import Side
+from insole_core.geometry.side import BOTH, Side
 from insole_core.reconstruct.poses.pose_quality import DEFAULT_LIMITS
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS
@@ -93,6 +93,8 @@ class Bench:
         self.alone: list[Side] = []
         self.shown: list[Side] = []
         self.answer = False
+        self.answers: list[bool] = []
+        """To the next questions; to those after them, `answer`."""
         self.presenter = FootStagePresenter(
             panel=self.panel,
             jobs=jobs,
@@ -112,7 +114,7 @@ class Bench:
 
     def _ask(self, sentence: str) -> bool:
         self.asked.append(sentence)
-        return self.answer
+        return self.answers.pop(0) if self.answers else self.answer
 
     def _ask_side(self, sentence: str, shown: Side) -> OtherFoot:
         self.shown.append(shown)
@@ -514,3 +516,31 @@ def test_if_a_foot_is_missing_the_other_can_be_made_alone(
     assert bench.panel.shown["show_side"] == (Side.RIGHT,)
     assert bench.panel.buttons.go_on
     assert not bench.panel.buttons.is_stale
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("insists", [True, False])
+def test_the_foot_that_is_made_alone_is_asked_about_once_and_keeps_the_other(
+    bench: Bench, tmp_path: Path, small_session: Path, insists: bool
+) -> None:
+    """A left foot stands in the place of the right one, and none in its own."""
+
+    def exchange_places(manifest: dict[str, Any]) -> None:
+        places = manifest["reference_frame"]["feet"]
+        places["right"]["origin_mm"] = list(places["left"]["origin_mm"])
+        places["left"]["origin_mm"][0] = -400.0
+
+    both_feet = small_session.with_name("both_small.zip")
+    bench.session = with_manifest(both_feet, tmp_path / "exchanged", exchange_places)
+    bench.answers = [True, insists]
+    bench.open(hand_over=True)
+    missing, doubt = bench.asked
+    assert "no left foot is in its place" in missing
+    assert "looks like a left foot" in doubt
+    assert bench.shown == []  # the place says which foot it is: it cannot be taken as the other
+    assert [scanned.foot.side for scanned in bench.handed] == ([Side.RIGHT] if insists else [])
+    assert (doubt in bench.panel.sentences) is not insists
+    assert bench.panel.shown["show_session"][1] == (Side.LEFT, Side.RIGHT)
+    work = bench.presenter._work
+    assert work is not None
+    assert work.opened.session.manifest.side == BOTH
