@@ -1,4 +1,4 @@
-"""PDF pages of Qt with the exact size of their paper, so that no printer scales what is on them.
+"""What is printed at true size: papers, their rulers, and PDF pages that no printer scales.
 
 Qt rounds the size of a page to whole points (A4 becomes 595 × 842, and has 595.28 × 841.89): a
 program that fits the page to the paper then makes 100 mm of it 100.05 mm.
@@ -12,8 +12,25 @@ from typing import Final
 
 from PySide6.QtCore import QBuffer, QIODevice
 
+from insole_studio.texts import tr
+
 POINTS_PER_MM: Final = 72 / 25.4
 _MEDIA_BOX: Final = re.compile(rb"/MediaBox \[0 0 (\d+\.\d+) (\d+\.\d+)\]")
+
+UPRIGHT_MM: Final = {
+    "A4": (210.0, 297.0),
+    "A3": (297.0, 420.0),
+    "Letter": (215.9, 279.4),
+    "Tabloid": (279.4, 431.8),
+}
+"""Width and height of papers."""
+WHITE_MM: Final = 5.0
+"""What usual printers leave white at the edges of a paper, at most."""
+
+
+def ruler_text() -> str:
+    """Return what stands beside a ruler of 100 mm."""
+    return tr("This line is 100 mm long. If not, print without scaling.")
 
 
 def memory() -> QBuffer:

@@ -60,5 +60,5 @@ class ElidedComboBox(QComboBox):
 
 
 def _elided(option: QStyleOption, text: str, room: QRect) -> str:
-    """Return as much of a text as a place has room for, which the style takes a pixel of."""
+    """Return as much of a text as has room in a place; a pixel is left free at each end."""
     return option.fontMetrics.elidedText(text, Qt.TextElideMode.ElideRight, room.width() - 2)

@@ -43,7 +43,13 @@ from insole_core.recording.session import ReferenceSystem
 from insole_studio.features.calibrate.rows import BoardSize
 from insole_studio.services.files import Kept
 from insole_studio.services.questions import Questions
-from insole_studio.services.true_size import exact_pages, memory
+from insole_studio.services.true_size import (
+    UPRIGHT_MM,
+    WHITE_MM,
+    exact_pages,
+    memory,
+    ruler_text,
+)
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.form_parts import ComboBox
 from insole_studio.widgets.message_label import MessageLabel
@@ -51,17 +57,12 @@ from insole_studio.widgets.number_field import NumberField
 
 _DPI = 1200
 _INCH_MM = 25.4
-_BASE_MM = 7.6
-"""Of the ruler, within the edge of the page: usual printers leave 4 to 5 mm of it white."""
+_BASE_MM = WHITE_MM + 2.6
+"""Of the ruler, within the edge of the page."""
 _CLEAR_MM = 3.4
 """White between the ruler and what is measured in a picture."""
 _TEXT_MM, _LABEL_MM = 2.2, 2.8
-PAPERS_MM = {
-    "A4": (297.0, 210.0),
-    "A3": (420.0, 297.0),
-    "Letter": (279.4, 215.9),
-    "Tabloid": (431.8, 279.4),
-}
+PAPERS_MM = {name: (tall, wide) for name, (wide, tall) in UPRIGHT_MM.items()}
 """Paper sizes, landscape."""
 _CHEQUERBOARD, _CHARUCO, _MARKERS = "chequerboard", "charuco", "markers"
 _CHARUCO_SQUARES = (10, 7)
@@ -126,8 +127,7 @@ def paint_page(painter: QPainter, page: PrintedPage) -> None:
     painter.drawLine(QPointF(0, 0), QPointF(RULER_MM, 0))
     for x in (0.0, RULER_MM):
         painter.drawLine(QPointF(x, -1.5), QPointF(x, 1))
-    ruler = tr("This line is 100 mm long. If not, print without scaling.")
-    _write(painter, ruler, 4 + RULER_MM, -1.3, _TEXT_MM)
+    _write(painter, ruler_text(), 4 + RULER_MM, -1.3, _TEXT_MM)
     _write(painter, translate_core_message(page.note), 4 + RULER_MM, 1.3, _TEXT_MM)
     painter.restore()
 

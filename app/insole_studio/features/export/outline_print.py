@@ -17,23 +17,29 @@ from PySide6.QtGui import (
     QTextOption,
 )
 
+from insole_core.calibration.boards.printed_page import RULER_MM
 from insole_core.files.atomic import replacing_file
 from insole_core.geometry.arrays import FloatArray
 from insole_core.insole.build import Insole
 from insole_core.insole.elements import Pelott
 from insole_core.insole.pads.pad_heights import pad_outline
 from insole_core.solids.solid_outline import outline_of
-from insole_studio.services.true_size import exact_pages, memory
+from insole_studio.services.true_size import (
+    UPRIGHT_MM,
+    WHITE_MM,
+    exact_pages,
+    memory,
+    ruler_text,
+)
 from insole_studio.texts import tr
 
 DPI = 600
-RULER_MM = 100.0
-_ROOM_MM = 6.0
-"""To the edges of the paper: usual printers leave 4 to 5 mm of them white."""
+_ROOM_MM = WHITE_MM + 1.0
+"""To the edges of the paper."""
 _BESIDE_MM = 44.0
 """At the left, for words and ruler: so an insole of 285 mm finds room on A4."""
-_PAPERS_MM = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
-"""Upright; the last is taken for what finds room on none."""
+_PAPERS_MM = {name: UPRIGHT_MM[name] for name in ("A4", "A3")}
+"""The last is taken for what finds room on none."""
 
 
 def print_outline(insole: Insole, whose: str, path: Path) -> str:
@@ -118,6 +124,5 @@ def _draw_beside(painter: QPainter, page_mm: tuple[float, float], words: str) ->
     painter.drawLine(QPointF(x, top), QPointF(x, top + RULER_MM))
     for y in np.arange(0.0, RULER_MM + 1, 10.0):
         painter.drawLine(QPointF(x, top + y), QPointF(x + (3 if y % 50 == 0 else 1.5), top + y))
-    length = tr("This line is 100 mm long. If not, print without scaling.")
     at = QRectF(x + 5.0, top, _BESIDE_MM - 7.0, RULER_MM)
-    painter.drawText(at, length, wrapped)
+    painter.drawText(at, ruler_text(), wrapped)
