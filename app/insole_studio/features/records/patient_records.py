@@ -632,11 +632,6 @@ class PatientRecords(QObject):
         if self._person_presenter is not None:
             self._person_presenter.redo()
 
-    def renew_icons(self) -> None:
-        """Redraw the icons in the colours of the palette."""
-        if self.start is not None:
-            self.start.renew_icons()
-
     def _refresh(self) -> None:
         if self._start_presenter is not None:
             self._start_presenter.refresh()

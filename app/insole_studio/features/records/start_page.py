@@ -156,10 +156,12 @@ class StartPage(QWidget):
         self.search.clear()
         self.search.setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def renew_icons(self) -> None:
-        """Redraw the icons in the colours of the palette."""
-        for key, button in self._files.items():
-            button.setIcon(icon(key))
+    def changeEvent(self, event: QEvent) -> None:
+        """Redraw the icons in the theme's colours."""
+        if event.type() == QEvent.Type.PaletteChange:
+            for key, button in self._files.items():
+                button.setIcon(icon(key))
+        super().changeEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Let the arrows go from the search line to the list, and Enter open its first row."""

@@ -19,6 +19,7 @@ from insole_core.records.records import Records
 from insole_core.records.rights import Right
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application
+from insole_studio.app.theme import DARK, LIGHT
 from insole_studio.features.records.patient_dialogs import NewPatientDialog
 from insole_studio.features.records.start_page import StartPage
 from insole_studio.features.records.start_presenter import MOST_FOUND
@@ -48,6 +49,31 @@ def fill(dialog: NewPatientDialog, name: str, born: str = "", number: str = "") 
         field.setFocus()
         field.selectAll()
         QTest.keyClicks(field, text)
+
+
+@pytest.mark.parametrize("is_shown", [True, False])
+def test_the_icons_have_the_colour_of_the_theme(clinic: Application, is_shown: bool) -> None:
+    page = page_of(clinic)
+    if not is_shown:
+        clinic.controller.run_action("new_case", False)
+    assert page.isVisible() is is_shown
+
+    def colors() -> set[str]:
+        found: set[str] = set()
+        for button in page.findChildren(QPushButton):
+            if not button.icon().isNull():
+                image = button.icon().pixmap(button.iconSize()).toImage()
+                places = [(x, y) for x in range(image.width()) for y in range(image.height())]
+                seen = [image.pixelColor(x, y) for x, y in places]
+                found |= {color.name() for color in seen if color.alpha() == 255}
+        return found
+
+    light = colors()
+    clinic.controller.run_action("dark", True)
+    dark = colors()
+    clinic.controller.run_action("dark", False)
+    assert (light, dark) == ({LIGHT.text}, {DARK.text})
+    assert colors() == light
 
 
 def test_the_search_line_has_the_focus_and_the_panels_have_gone(clinic: Application) -> None:
