@@ -410,6 +410,8 @@ class RecordKeeper(QObject):
         )
         if change.trouble is None and self._reason == reason:
             self._reason = ""
+        if change.trouble is None:
+            self._is_to_move = False
         is_whole = change.trouble is None and not change.conflicts
         saved = record if is_whole else before
         if change.collided:
@@ -502,6 +504,7 @@ class RecordKeeper(QObject):
             self._stay()
             self.keep_as_new_visit()
             return
+        self._is_to_move = False
         if is_lost:  # in place of what the record says: whoever opens the person leaves the work
             sentence = tr(
                 "This visit was deleted elsewhere: keep what you have made as a new visit, or save "

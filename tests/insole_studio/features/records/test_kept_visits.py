@@ -30,6 +30,7 @@ from insole_core.records.records import Records
 from insole_core.records.retention import ErasureReason, erase_person
 from insole_core.records.visit import Visit
 from insole_core.workflows.order_package import Ordered
+from insole_core.workflows.records import keep_case
 from insole_studio.app.bootstrap import Application
 from insole_studio.document import clinic_record, record_keeper
 from insole_studio.document.clinic_record import RecordState
@@ -453,18 +454,24 @@ def delete_elsewhere(
 
 
 @pytest.fixture
+def empty(clinic: Application, records: Records, qtbot: QtBot) -> Visit:
+    """A visit that holds nothing, open in the window."""
+    anna = records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
+    added = records.visits.add(Visit(anna.id, date(2026, 2, 28)))
+    clinic.features.records.open_visit(added.id)
+    qtbot.waitUntil(lambda: clinic.services.keeper.visit_id == added.id)
+    return added
+
+
+@pytest.fixture
 def lost(
     clinic: Application,
-    records: Records,
+    empty: Visit,
     delete_elsewhere: Callable[[], str],
     make_foot: Callable[[Side], Foot],
     qtbot: QtBot,
 ) -> Application:
     """The window with a foot on a visit that was deleted elsewhere, while it was empty."""
-    anna = records.persons.add(Person("Anna Berg", date(1970, 2, 28)))
-    empty = records.visits.add(Visit(anna.id, date(2026, 2, 28)))
-    clinic.features.records.open_visit(empty.id)
-    qtbot.waitUntil(lambda: clinic.services.keeper.visit_id == empty.id)
     delete_elsewhere()
     source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
     clinic.case.open_foot(make_foot(Side.LEFT), source)
@@ -553,6 +560,42 @@ def test_all_that_was_meant_for_a_lost_visit_comes_to_the_one_in_its_place(
     (order,) = records.orders.of_person(visit.person_id)
     assert order.visit_id == keeper.visit_id
     wait_until_saved(clinic, qtbot)
+
+
+@pytest.mark.parametrize("refusal", ["", "This visit may not be changed."])
+def test_a_wish_for_a_new_visit_ends_with_the_saving_that_it_waited_for(
+    refusal: str,
+    clinic: Application,
+    records: Records,
+    empty: Visit,
+    delete_elsewhere: Callable[[], str],
+    make_foot: Callable[[Side], Foot],
+    monkeypatch: pytest.MonkeyPatch,
+    qtbot: QtBot,
+) -> None:
+    """Be it saved after all or refused for another reason: a visit lost later is asked about."""
+
+    def refuse(*_given: object) -> None:
+        raise RecordsError(refusal)
+
+    keeper = clinic.services.keeper
+    with monkeypatch.context() as refused:
+        if refusal:
+            refused.setattr(keep_case, "keep_case", refuse)
+        clinic.case.apply(replace(clinic.case.record.patient, born="1970-03-01"), "Edit")
+        keeper.leave(lambda: None)  # saves at once
+        keeper.keep_as_new_visit()
+        ended = KeepState.REFUSED if refusal else KeepState.SAVED
+        qtbot.waitUntil(lambda: keeper.state is ended)
+    for dialog in clinic.services.messages.dialogs:
+        assert dialog.text() == refusal
+        dialog.done(0)
+    assert delete_elsewhere() == empty.id
+    source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
+    clinic.case.apply(FootRecord.begun(make_foot(Side.LEFT), source), "Import a scan")
+    qtbot.waitUntil(lambda: bool(lost_notice(clinic)))
+    assert keeper.visit_id == empty.id
+    assert records.visits.of_person(empty.person_id) == []
 
 
 def test_who_was_captured_for_stays_chosen_when_a_lost_visit_is_kept_as_a_new_one(
