@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InsoleError, Unreachable
 from insole_core.geometry.side import Side
 from insole_core.records.prescription import VersionSummary
 from insole_studio.document.clinic_record import ClinicRecord
@@ -72,15 +72,18 @@ class VisitCard(QFrame):
     def show_picture(self, key: PictureKey, image: QImage) -> None:
         """Show a small picture in place of its placeholder; an empty one takes that away."""
         label = self._pictures.get(key)
-        if label is not None:
-            label.setVisible(not image.isNull())
-            shown = QPixmap.fromImage(image).scaled(
-                PICTURE_PX * label.devicePixelRatio(),
-                Qt.AspectRatioMode.KeepAspectRatio,
-                Qt.TransformationMode.SmoothTransformation,
-            )
-            shown.setDevicePixelRatio(label.devicePixelRatio())
-            label.setPixmap(shown)
+        if label is None:
+            return
+        label.setVisible(not image.isNull())
+        if image.isNull():
+            return
+        shown = QPixmap.fromImage(image).scaled(
+            PICTURE_PX * label.devicePixelRatio(),
+            Qt.AspectRatioMode.KeepAspectRatio,
+            Qt.TransformationMode.SmoothTransformation,
+        )
+        shown.setDevicePixelRatio(label.devicePixelRatio())
+        label.setPixmap(shown)
 
     def _lay_out(self) -> None:
         top = QHBoxLayout()
@@ -227,7 +230,8 @@ class VisitPictures:
         def missed(error: Exception) -> None:
             if not isinstance(error, InsoleError):
                 raise error
-            self._put(version, (QImage(), QImage()))
+            if not isinstance(error, Unreachable):  # after which they are asked for once more
+                self._put(version, (QImage(), QImage()))
             self._make_next()
 
         self._clinic.ask(CHANNEL, make, made, missed)

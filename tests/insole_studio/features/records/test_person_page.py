@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import FootRecord
 from insole_core.cases.scan_source import ScanSource
-from insole_core.errors import InputError
+from insole_core.errors import InputError, RecordsError, Unreachable
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import HeelLift
@@ -24,6 +25,7 @@ from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH
 from insole_core.records.person import Person
 from insole_core.records.prescription import Base
+from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.record_field import FieldChoice, Line
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
@@ -261,7 +263,11 @@ def test_a_visit_shows_pictures_of_foot_and_insole(
 
 @pytest.mark.drawn
 def test_an_insole_that_cannot_be_built_leaves_no_empty_picture(
-    clinic: Application, records: Records, visit: Visit, qtbot: QtBot
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    qtbot: QtBot,
+    qtlog: Any,
 ) -> None:
     opened = records.visits.open_case(visit.id)
     foot = opened.record.feet[0]
@@ -276,6 +282,40 @@ def test_an_insole_that_cannot_be_built_leaves_no_empty_picture(
     qtbot.waitUntil(lambda: not labels["foot"].pixmap().isNull())
     assert labels["foot"].isVisible()
     assert not labels["insole"].isVisible()
+    assert not [told for told in qtlog.records if "null pixmap" in told.message]
+
+
+@pytest.mark.drawn
+@pytest.mark.parametrize(
+    ("error", "is_place_kept"),
+    [
+        (Unreachable("The database does not answer."), True),
+        (RecordsError("The version is damaged."), False),
+    ],
+)
+def test_pictures_keep_their_places_while_the_database_does_not_answer(
+    clinic: Application,
+    visit: Visit,
+    error: RecordsError,
+    is_place_kept: bool,
+    monkeypatch: pytest.MonkeyPatch,
+    rest: Callable[[], None],
+    qtbot: QtBot,
+) -> None:
+    """They are made later; what cannot be read has none."""
+
+    def fail(*_given: object) -> None:
+        raise error
+
+    with monkeypatch.context() as away:
+        away.setattr(Prescriptions, "read", fail)
+        clinic.features.records.show_person(visit.person_id)
+        shown = clinic.features.records.person
+        assert shown is not None
+        qtbot.waitUntil(lambda: list(shown.cards) == [visit.id])
+        rest()
+    labels = shown.cards[visit.id]._pictures.values()
+    assert [label.isVisible() for label in labels] == 2 * [is_place_kept]
 
 
 def test_a_visit_is_opened_from_its_card(
