@@ -376,7 +376,7 @@ def make_foot(
     source = session_source(opened.path, opened.session)
     return MadeFoot(
         result.mesh,
-        ScannedFoot(foot, source, result.warnings),
+        ScannedFoot(foot, source, result.warnings, is_alone=not opened.is_of_two),
         opened.edits,
         limits,
         replace(result, depth_views=()),

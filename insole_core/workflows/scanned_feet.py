@@ -141,11 +141,18 @@ def _beside_others(found: FoundFoot, read: ReadMesh) -> FoundFoot:
 
 @dataclass(frozen=True, eq=False)
 class ScannedFoot:
-    """A foot and its scan; `warnings` are sentences for the user."""
+    """A foot and its scan; `warnings` are sentences for the user.
+
+    Parameters
+    ----------
+    is_alone
+        Whether its scan is the recording of one foot, and so shows no other one.
+    """
 
     foot: Foot
     source: ScanSource
     warnings: tuple[str, ...] = ()
+    is_alone: bool = False
 
 
 def session_source(path: Path, session: Session) -> ScanSource:

@@ -110,7 +110,9 @@ class Case(QObject):
         now = datetime.now(UTC).isoformat(timespec="seconds")
         return replace(correction, author=self.author, created_at=now)
 
-    def apply(self, value: Changeable, sentence: str, merge_key: str = "") -> None:
+    def apply(
+        self, value: Changeable, sentence: str, merge_key: str = "", *, only_foot: bool = False
+    ) -> None:
         """Change the case as one undo step; ends a preview.
 
         Parameters
@@ -122,11 +124,15 @@ class Case(QObject):
             What was done, for the undo menu: "Move the pelott".
         merge_key
             Steps of one gesture with the same non-empty key are merged into one.
+        only_foot
+            Whether a foot takes the place of the other one, too, which leaves the case.
         """
         self._shown = None
         if isinstance(value, FootRecord):
             self.leaving.emit()
         after = _with(self._record, value)
+        if only_foot and isinstance(value, FootRecord):
+            after = replace(after, feet=(value,))
         if after is self._record:
             self.preview_changed.emit()
             return

@@ -117,6 +117,9 @@ class OpenActions:
     def take_scan(self, scanned: ScannedFoot, over: QWidget | None = None) -> None:
         """Add a foot to the case; one reconstructed from the same scan keeps its design.
 
+        A recording of one foot that was made as the other one before is no second foot: that one
+        leaves the case.
+
         Parameters
         ----------
         over
@@ -126,10 +129,15 @@ class OpenActions:
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and _is_same_scan(before, scanned):
             again = replace(before, foot=scanned.foot, source=scanned.source)
-            self._tell(scanned)
-            self._case.apply(again, tr("Reconstruct the foot again"))
+            self._take(again, scanned, tr("Reconstruct the foot again"))
         else:
             self._put_on_bench(scanned, over)
+
+    def _take(self, foot: FootRecord, scanned: ScannedFoot, sentence: str) -> None:
+        """Put a foot into the case, and take the one away that its scan was mistaken for."""
+        self._tell(scanned)
+        is_mistaken = _mistaken(self._case.record, scanned) is not None
+        self._case.apply(foot, sentence, only_foot=is_mistaken)
 
     def _tell(self, scanned: ScannedFoot) -> None:
         """Show how the scan was read; texts too long for the status bar become a notice."""
@@ -205,11 +213,16 @@ class OpenActions:
             self._tell(scanned)
             self._case.open_foot(foot.foot, foot.source, foot.design)
             return
-        if before is None:
-            self._tell(scanned)
-            self._case.apply(foot, _sentence_of_adding(foot.side))
+        starting = starting_device(self._services.paths.settings_folder)
+        mistaken = _mistaken(record, scanned)
+        if before is None and mistaken is not None:
+            foot = replace(foot, earlier=last_design(mistaken, starting))
+            self._take(foot, scanned, tr("Reconstruct the foot again"))
             return
-        answer, starting = SameSide.REPLACE, starting_device(self._services.paths.settings_folder)
+        if before is None:
+            self._take(foot, scanned, _sentence_of_adding(foot.side))
+            return
+        answer = SameSide.REPLACE
         # A capture was seen by nobody yet, as a scan was in the dialog that imports it.
         is_unseen, order = scanned.source.kind == "session", record.order.number
         if is_unseen or order or not _is_untouched(before, starting):
@@ -217,8 +230,7 @@ class OpenActions:
             answer = questions.about_same_side(foot.side, order)
         if answer is SameSide.REPLACE:
             foot = replace(foot, earlier=last_design(before, starting))
-            self._tell(scanned)
-            self._case.apply(foot, tr("Put a new scan into the place of the old"))
+            self._take(foot, scanned, tr("Put a new scan into the place of the old"))
         elif answer is SameSide.NEW_CASE:
             self._saver.after_unsaved(lambda: self._begin_case(scanned))
 
@@ -250,6 +262,14 @@ def _invented(patient: Patient) -> Patient:
 
 def _sentence_of_adding(side: Side) -> str:
     return tr("Add the left foot") if side is Side.LEFT else tr("Add the right foot")
+
+
+def _mistaken(record: CaseRecord, scanned: ScannedFoot) -> FootRecord | None:
+    """Return the foot of the other side that was made of the same recording of one foot."""
+    other = record.of_side(scanned.foot.side.other)
+    if other is None or other.source.mirrored or not scanned.is_alone:
+        return None
+    return other if other.source.path == scanned.source.path else None
 
 
 def _is_same_scan(before: FootRecord, scanned: ScannedFoot) -> bool:

@@ -478,6 +478,7 @@ def test_both_feet_are_handed_over_in_one_go_and_corrected_apart(both: Bench) ->
     assert [scanned.foot.side for scanned in both.handed] == [Side.LEFT, Side.RIGHT]
     left_mm, right_mm = (scanned.foot.length_mm for scanned in both.handed)
     assert left_mm > right_mm + 10  # as simulated
+    assert not any(scanned.is_alone for scanned in both.handed)
     assert both.panel.shown["show_session"] == ("both", (Side.LEFT, Side.RIGHT))
     assert both.panel.shown["show_side"] == (Side.LEFT,)
 
@@ -513,6 +514,7 @@ def test_if_a_foot_is_missing_the_other_can_be_made_alone(
     bench.panel.make_requested.emit()
     bench.until(lambda: bool(bench.handed))
     assert [scanned.foot.side for scanned in bench.handed] == [Side.RIGHT]
+    assert not bench.handed[0].is_alone  # the capture has a place for the other one
     assert bench.panel.shown["show_side"] == (Side.RIGHT,)
     assert bench.panel.buttons.go_on
     assert not bench.panel.buttons.is_stale

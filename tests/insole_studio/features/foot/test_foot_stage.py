@@ -160,6 +160,15 @@ def test_a_left_foot_that_was_captured_as_right_is_taken_as_what_it_is(
         stage.view.go_on.click()  # corrected, it stays a left foot, without a second question
         settle()
         assert [foot.side for foot in app.case.record.feet] == [Side.LEFT]
+    if side is Side.RIGHT:
+        stage.view.view_switched.emit("right", False)
+        with answering("Take it as a left foot") as answers:
+            stage.view.make_requested.emit()
+            qtbot.waitUntil(lambda: answers.left == [])
+        settle()
+        stage.view.go_on.click()
+        settle()
+        assert [foot.side for foot in app.case.record.feet] == [Side.LEFT]
 
 
 @pytest.mark.slow
