@@ -17,7 +17,8 @@ from insole_core.records.backup.backup_folder import BackupFolder, BackupReader,
 from insole_core.records.backup.backup_key import DamagedBackup, damaged, open_key
 from insole_core.records.schema import contents
 
-FORMAT = 1
+FORMAT = 2
+_READ_FORMATS = (1, FORMAT)
 _SHA256 = re.compile(r"[0-9a-f]{64}")
 _SCHEMA = re.compile(r"(?!0000)[0-9]{4}")
 _LONGEST_TEXT = 4096
@@ -110,7 +111,7 @@ class Manifest:
         """
         try:
             values: dict[str, Any] = json.loads(content)
-            if values.pop("format") != FORMAT:
+            if values.pop("format") not in _READ_FORMATS:
                 raise RecordsError(
                     "The backup {name} comes from a newer Insole Studio; install the newest "
                     "version.",

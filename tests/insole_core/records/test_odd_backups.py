@@ -14,7 +14,7 @@ import pyrage
 import pytest
 from backed_up_record import ANNA, IDENTITY, RECIPIENT, SECRET, make_record
 
-from insole_core.errors import InsoleError
+from insole_core.errors import InsoleError, RecordsError
 from insole_core.records.backup.back_up import back_up, key_of_backups, set_up_backups
 from insole_core.records.backup.backup_folder import (
     LISTS,
@@ -26,7 +26,7 @@ from insole_core.records.backup.backup_folder import (
 )
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, authenticate, open_key
 from insole_core.records.backup.restore import restore
-from insole_core.records.backup.snapshot import check_backup, damaged_files
+from insole_core.records.backup.snapshot import check_backup, damaged_files, open_snapshot
 from insole_core.records.context import RecordsContext
 from insole_core.records.place import RecordsPlace
 
@@ -140,6 +140,23 @@ def test_a_forged_snapshot_is_refused_and_leaves_nothing(
         restore(backups, SECRET, place, ANNA, settings={"settings": tmp_path / "config"})
     assert not list(tmp_path.glob("new/*"))
     assert not (tmp_path / "config").exists()
+
+
+def test_a_backup_of_an_older_program_is_read_and_an_older_one_refuses_a_new_one_in_words(
+    backups: Path,
+) -> None:
+    """An older one takes a key that it does not know for damage, unless the format is newer."""
+
+    def age(manifest: dict[str, Any]) -> None:
+        assert (manifest["format"], manifest.pop("patients")) == (2, 1)
+        manifest["format"] = 1
+
+    forge(backups, age)
+    assert check_backup(backups, SECRET).is_sound
+    assert open_snapshot(backups, SECRET).manifest.patients is None
+    forge(backups, lambda manifest: manifest.update(format=3, unknown=5))
+    with pytest.raises(RecordsError, match="comes from a newer Insole Studio"):
+        check_backup(backups, SECRET)
 
 
 @pytest.mark.parametrize("name", ["../x", "/x", "..", "", ".", "a/../../x", "x" * 300, "é" * 120])
