@@ -24,7 +24,7 @@ from insole_core.workflows.print_order import PrintChoice
 
 log = logging.getLogger(__name__)
 _FORGOTTEN = (
-    "both", "pseudonym", "text", "block", "own_materials", "terms", "printing", "milling",
+    "both", "alone", "pseudonym", "text", "block", "own_materials", "terms", "printing", "milling",
     "release",
 )  # fmt: skip
 _OF_PRINT = ("printer", "preset", "zones", "file", "above_kpa", "pressed_percent", "graded")

@@ -77,6 +77,8 @@ class OrderChoice:
     ----------
     both
         Whether the other foot of the case is made too.
+    alone
+        Which foot is made where not both are; None for the current one.
     suffix, ascii_stl
         The file format.
     layered
@@ -116,6 +118,7 @@ class OrderChoice:
 
     kind: Kind = "insole"
     both: bool = False
+    alone: Side | None = None
     suffix: str = ".stl"
     ascii_stl: bool = False
     layered: bool = False
@@ -164,10 +167,12 @@ class OrderChoice:
 
 
 def feet_of(record: CaseRecord, choice: OrderChoice) -> tuple[FootRecord, ...]:
-    """Return the feet to make: the current one, or both, the left one first."""
+    """Return the feet to make: one, or both, the left one first."""
     if choice.both and len(record.feet) == 2:
         return record.feet
-    return () if record.current is None else (record.current,)
+    foot = None if choice.alone is None else record.of_side(choice.alone)
+    foot = foot or record.current
+    return () if foot is None else (foot,)
 
 
 def ordered_material(choice: OrderChoice, design: InsoleDesign) -> str:
@@ -176,19 +181,18 @@ def ordered_material(choice: OrderChoice, design: InsoleDesign) -> str:
     return choice.own_materials.get(design.side, prescribed)
 
 
-def made_together(record: CaseRecord, starting: StartingDevice) -> bool:
-    """Return whether both feet of a case are made unless one says otherwise.
+def prescribed_alone(record: CaseRecord, starting: StartingDevice) -> Side | None:
+    """Return the one of two feet that alone has a prescription; None if none or both have one.
 
-    A foot alone is made where it alone has a prescription, since the other may be there to be
-    compared with.
+    It is made alone unless one says otherwise, since the other may be there to be compared with.
 
     Parameters
     ----------
     starting
         The device that new prescriptions begin with: a design as it begins is none.
     """
-    prescribed = {starting.prescribes(foot.design) for foot in record.feet}
-    return len(record.feet) == 2 and len(prescribed) == 1
+    prescribed = [foot.side for foot in record.feet if starting.prescribes(foot.design)]
+    return prescribed[0] if len(record.feet) == 2 and len(prescribed) == 1 else None
 
 
 def mark_of(choice: OrderChoice, side: Side) -> tuple[str, ...]:

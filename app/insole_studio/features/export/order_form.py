@@ -291,6 +291,7 @@ class OrderForm(QWidget):
         return OrderChoice(
             kind=cast(Kind, self.kind.currentData()),
             both=self.both.isChecked(),
+            alone=self._choice.alone,
             suffix=form.removesuffix(_AS_TEXT),
             ascii_stl=form.endswith(_AS_TEXT),
             layered=self.layered.isChecked(),

@@ -38,8 +38,8 @@ from insole_core.workflows.make_order import (
     feet_of,
     files_of,
     letters_told,
-    made_together,
     make_parts,
+    prescribed_alone,
     programs_of,
     require_no_other_programs,
     word_of,
@@ -210,7 +210,7 @@ class ExportPresenter:
         jobs.ended.connect(self._show_buttons)
         case.opened.connect(self._begin_order)
         case.changed.connect(self._follow)
-        case.foot_changed.connect(self.remake)
+        case.foot_changed.connect(self._follow_foot)
         panel.show_part(None, None, None, False)
         panel.show_notes([])
         panel.show_error("")
@@ -227,7 +227,7 @@ class ExportPresenter:
         self._is_case_left = True
         self._case.opened.disconnect(self._begin_order)
         self._case.changed.disconnect(self._follow)
-        self._case.foot_changed.disconnect(self.remake)
+        self._case.foot_changed.disconnect(self._follow_foot)
 
     def edit_choice(self, choice: OrderChoice) -> None:
         """Set the order; changes that concern only files and documents do not make it again."""
@@ -325,7 +325,8 @@ class ExportPresenter:
 
     def _show_drawn(self, mesh: TriangleMesh | None) -> None:
         """Show the insole as it is designed, as long as there is no piece to be seen."""
-        if mesh is not None and self._choice.kind == "insole":
+        is_made = self._record.current in feet_of(self._record, self._choice)
+        if mesh is not None and self._choice.kind == "insole" and is_made:
             self._panel.show_part(mesh, self._case.foot, self._case.side, False)
             self._panel.show_summary(tr("As it is designed; the piece is being made."))
 
@@ -562,13 +563,15 @@ class ExportPresenter:
 
     def _begin_order(self) -> None:
         """Begin an order for the open case: nothing of the patient before is kept."""
-        record = self._case.record
+        record = self._record = self._case.record
+        alone = prescribed_alone(record, self._starting())
         self._number_order()
         self._reason, self._refused_day = "", ""
         self._panel.forget_day()
         self._choice = replace(
             self._choice,
-            both=made_together(record, self._starting()),
+            both=len(record.feet) == 2 and alone is None,
+            alone=alone,
             pseudonym=record.patient.pseudonym,
             text="",
             own_materials={},
@@ -587,6 +590,12 @@ class ExportPresenter:
         self._panel.show_release(
             self._release, revised, self._new_number, is_sample=record.patient.is_sample
         )
+
+    def _follow_foot(self) -> None:
+        """Make the order again; of one foot the one that was switched to now."""
+        if self._case.side is not self._record.at_hand:
+            self._choice = replace(self._choice, alone=None)
+        self.remake()
 
     def _follow(self) -> None:
         """Make the order again unless only what does not shape it has changed."""

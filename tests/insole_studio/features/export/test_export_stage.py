@@ -44,7 +44,10 @@ from insole_studio.widgets.layouts import VerticalScroll
 
 SHOP = read_shop()
 PAIR = next(block for block in SHOP.blocks if block.name == "EVA pair")
-ALONE = "The left foot alone is made; “Both feet” makes the right one too."
+ALONE = {
+    Side.LEFT: "The left foot alone is made; “Both feet” makes the right one too.",
+    Side.RIGHT: "The right foot alone is made; “Both feet” makes the left one too.",
+}
 NOWHERE = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
 
 
@@ -171,12 +174,12 @@ PAD = Pelott(centre_mm=(0.0, 140.0))
 
 
 @pytest.mark.parametrize(
-    ("prescribed", "both"),
+    ("prescribed", "alone"),
     [
-        ((), True),
-        ((Side.LEFT,), False),
-        ((Side.RIGHT,), False),
-        ((Side.LEFT, Side.RIGHT), True),
+        ((), None),
+        ((Side.LEFT,), Side.LEFT),
+        ((Side.RIGHT,), Side.RIGHT),
+        ((Side.LEFT, Side.RIGHT), None),
     ],
 )
 def test_both_feet_are_made_unless_one_alone_is_prescribed_which_is_told(
@@ -185,9 +188,11 @@ def test_both_feet_are_made_unless_one_alone_is_prescribed_which_is_told(
     settle: Callable[[], None],
     tmp_path: Path,
     prescribed: tuple[Side, ...],
-    both: bool,
+    alone: Side | None,
 ) -> None:
-    """The finish is a prescription as much as a pad."""
+    """The finish is a prescription as much as a pad; the left foot is the current one."""
+    both = alone is None
+    told = ALONE[alone or Side.LEFT]
     starting = starting_device(tmp_path / "config")
     feet = []
     for foot in case.record.feet:
@@ -200,12 +205,38 @@ def test_both_feet_are_made_unless_one_alone_is_prescribed_which_is_told(
     settle()
     assert stage.view.form.both.isVisible()
     assert stage.view.form.both.isChecked() is both
-    assert len(stage.presenter.parts) == (2 if both else 1)
-    assert (ALONE in stage.view.notes.text()) is not both
+    assert [part.side for part in stage.presenter.parts] == ([alone] if alone else list(Side))
+    assert (told in stage.view.notes.text()) is not both
     stage.view.form.both.click()
     settle()
     assert len(stage.presenter.parts) == (1 if both else 2)
-    assert (ALONE in stage.view.notes.text()) is both
+    assert (told in stage.view.notes.text()) is both
+    stage.view.form.both.click()
+    settle()
+    assert [part.side for part in stage.presenter.parts] == ([alone] if alone else list(Side))
+
+
+def test_of_one_foot_the_one_is_made_that_is_switched_to(
+    stage: ExportStage, case: Case, settle: Callable[[], None], tmp_path: Path
+) -> None:
+    """Be it prescribed or not: whoever switches to a foot means that one."""
+    starting = starting_device(tmp_path / "config")
+    left, right = (
+        FootRecord.begun(foot.foot, NOWHERE, starting.design(foot.foot))
+        for foot in case.record.feet
+    )
+    left = left.with_design(left.design.with_added(PAD))
+    case.open(replace(case.record, feet=(left, right), at_hand=Side.RIGHT), None)
+    settle()
+    assert [part.side for part in stage.presenter.parts] == [Side.LEFT]
+    case.apply(replace(case.record.patient, name="Anna Bergh"), "Correct the name")
+    settle()
+    assert [part.side for part in stage.presenter.parts] == [Side.LEFT]
+    for side in (Side.LEFT, Side.RIGHT):
+        case.take_foot(side)
+        settle()
+        assert [part.side for part in stage.presenter.parts] == [side]
+        assert ALONE[side] in stage.view.notes.text()
 
 
 def test_what_was_exported_is_told_until_the_order_changes(
@@ -236,11 +267,11 @@ def test_what_was_exported_is_told_until_the_order_changes(
 def test_what_the_design_warns_of_is_told_before_the_export(
     stage: ExportStage, case: Case, settle: Callable[[], None]
 ) -> None:
-    assert stage.view.notes.text() == ALONE
+    assert stage.view.notes.text() == ALONE[Side.LEFT]
     order(stage, terms=OrderTerms(remarks="軟"))
     assert "has no letters 軟" in stage.view.notes.text(), "before it is printed"
     order(stage, terms=OrderTerms())
-    assert stage.view.notes.text() == ALONE
+    assert stage.view.notes.text() == ALONE[Side.LEFT]
     ahead = Pelott(centre_mm=(0.0, 185.0))
     case.apply(InsoleDesign(Side.LEFT, (ahead,), grid_mm=2.0), "Add a pelott")
     settle()
