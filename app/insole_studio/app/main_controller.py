@@ -154,6 +154,7 @@ class MainController(QObject):
         self._window.status.follow(administration.backups.jobs)
         clinic.state_changed.connect(self._show_accounts)
         clinic.state_changed.connect(self._show_recent)
+        clinic.state_changed.connect(self._show_state)
         self._show_accounts()
 
     def _show_accounts(self) -> None:

@@ -452,6 +452,10 @@
             <translation>Inte sparat än: två versioner, bestäm</translation>
         </message>
         <message>
+            <source>Nothing can be changed in the record at the moment.</source>
+            <translation>Inget kan ändras i journalen just nu.</translation>
+        </message>
+        <message>
             <source>Nothing was prescribed for this patient before; a scan begins anew.</source>
             <translation>Inget har ordinerats för den här patienten tidigare; en skanning börjar om från början.</translation>
         </message>

@@ -37,7 +37,7 @@ from insole_studio.features.records.order_files import OrderFiles
 from insole_studio.features.records.orders_page import OrdersPage
 from insole_studio.features.records.orders_presenter import OrdersPresenter
 from insole_studio.features.records.patient_dialogs import ChoosePersonDialog, NewPatientDialog
-from insole_studio.features.records.person_page import PersonPage, why_not_same
+from insole_studio.features.records.person_page import PersonPage
 from insole_studio.features.records.person_presenter import PersonPresenter
 from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
 from insole_studio.features.records.rows import version_text
@@ -397,8 +397,7 @@ class PatientRecords(QObject):
     @property
     def why_not_same(self) -> str:
         """Why no new visit of the person on the page can take the last prescription."""
-        presenter = self._person_presenter
-        return "" if presenter is not None and presenter.is_prescribed else why_not_same()
+        return "" if self._person_presenter is None else self._person_presenter.why_not_same
 
     def _add_follow_up(self, follow_up: FollowUp) -> None:
         self._clinic.write(lambda r: r.follow_ups.add(follow_up), _nothing, self._tell)

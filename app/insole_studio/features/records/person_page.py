@@ -39,9 +39,11 @@ FIELDS_PX = 320
 PERSON = typed_fields(Person)
 
 
-def why_not_same() -> str:
-    """Return why a new visit cannot take the last prescription."""
-    return tr("Nothing was prescribed on an earlier visit.")
+def why_not_same(*, is_writable: bool, is_prescribed: bool) -> str:
+    """Return why no new visit can take the last prescription; empty where one can."""
+    if not is_writable:
+        return tr("Nothing can be changed in the record at the moment.")
+    return "" if is_prescribed else tr("Nothing was prescribed on an earlier visit.")
 
 
 class PersonPage(QWidget):
@@ -155,12 +157,12 @@ class PersonPage(QWidget):
         """Show whether fields can be changed and visits added."""
         self._is_editable = editable
         self._allow_typing()
-        for key in ("new_visit", "new_visit_same", "follow_up"):
+        for key in ("new_visit", "follow_up"):
             self._buttons[key].setEnabled(editable)
 
-    def show_prescribed(self, is_prescribed: bool) -> None:
-        """Show whether a visit holds a prescription that a new one could take."""
-        allow(self._buttons["new_visit_same"], "" if is_prescribed else why_not_same())
+    def show_why_not_same(self, why_not: str) -> None:
+        """Show why no new visit can take the last prescription; empty where one can."""
+        allow(self._buttons["new_visit_same"], why_not)
 
     def _allow_typing(self) -> None:
         for key, field in self._fields.items():

@@ -28,7 +28,7 @@ from insole_core.records.visit import CaptureState, Visit
 from insole_core.records.visit_measures import stored_measures
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.records.person_page import PERSON, PersonPage
+from insole_studio.features.records.person_page import PERSON, PersonPage, why_not_same
 from insole_studio.features.records.record_form import label_of, shown_texts
 from insole_studio.features.records.rows import (
     FootLine,
@@ -130,7 +130,7 @@ class PersonPresenter:
         self._is_storing = False
         self._history: History[Person] = History()
         self.visits: tuple[VisitView, ...] = ()
-        self.is_prescribed = False
+        self._is_prescribed = False
         self._pictures = VisitPictures(clinic, page.show_picture)
         page.field_edited.connect(self.edit_field)
         clinic.changed.connect(self.refresh)
@@ -142,13 +142,19 @@ class PersonPresenter:
         """The person on the page, with what is being stored."""
         return self._wanted or self._person
 
+    @property
+    def why_not_same(self) -> str:
+        """Why no new visit of the person can take the last prescription; empty where one can."""
+        is_writable = self._clinic.is_writable
+        return why_not_same(is_writable=is_writable, is_prescribed=self._is_prescribed)
+
     def open(self, person_id: str) -> None:
         """Show a person; the audit log tells that somebody looked."""
         if self._person is None or self._person.id != person_id:
             self._page.forget_typed()
             self._history.clear()
             self._person = self._wanted = None
-            self.is_prescribed = False
+            self._is_prescribed = False
         self._clinic.ask(
             READ,
             lambda r: _read(r, person_id, self._settings, seen=True),
@@ -276,7 +282,7 @@ class PersonPresenter:
             self._history.clear()
         if not self._is_storing:
             self._person = view.person
-        self.visits, self.is_prescribed = view.visits, view.is_prescribed
+        self.visits, self._is_prescribed = view.visits, view.is_prescribed
         self._show_fields()
         self._show_state()
         self._page.show_visits([_row(visit) for visit in view.visits])
@@ -286,8 +292,7 @@ class PersonPresenter:
 
     def _show_state(self) -> None:
         self._page.show_editable(self._clinic.is_writable)
-        if self._clinic.is_writable:
-            self._page.show_prescribed(self.is_prescribed)
+        self._page.show_why_not_same(self.why_not_same)
 
     def _show_fields(self) -> None:
         if (person := self.person) is not None:

@@ -441,6 +441,12 @@ def test_the_same_prescription_is_offered_where_there_is_one(
     records.prescriptions.save(visit.id, lifted, opened.bases[Side.LEFT])
     qtbot.waitUntil(button.isEnabled)
     assert said().isdisjoint(why_not)
+    record = clinic.services.clinic
+    record.note_failure(Unreachable("The database does not answer."))
+    assert not button.isEnabled()
+    assert said() == {"Nothing can be changed in the record at the moment."}
+    qtbot.waitUntil(button.isEnabled)
+    assert said().isdisjoint(why_not)
     other = records.persons.add(Person("Bo Dal"))
     clinic.features.records.show_person(other.id)
     assert not action.isEnabled()
