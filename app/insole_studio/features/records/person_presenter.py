@@ -315,7 +315,10 @@ def _read(records: Records, person_id: str, settings: Path, *, seen: bool = Fals
 
 
 def _is_prescribed(newest: Sequence[Sequence[NewestVersion]], settings: Path) -> bool:
-    """Return whether one of the versions can be taken over; a damaged one is told once it is."""
+    """Return whether one of the versions can be taken over, or is damaged.
+
+    Of a damaged one whoever takes it over is told.
+    """
     if not any(newest):
         return False
     starting = starting_device(settings)

@@ -230,7 +230,7 @@ class VisitPictures:
         def missed(error: Exception) -> None:
             if not isinstance(error, InsoleError):
                 raise error
-            if not isinstance(error, Unreachable):  # after which they are asked for once more
+            if not isinstance(error, Unreachable):  # then they come with the next reading
                 self._put(version, (QImage(), QImage()))
             self._make_next()
 
