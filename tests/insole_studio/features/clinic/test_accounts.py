@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import date
 
 import pytest
@@ -34,6 +35,10 @@ def signed_in(
     record = clinic.services.clinic
     qtbot.waitUntil(lambda: record.author is not None and record.author.name == name)
     qtbot.waitUntil(lambda: not record.jobs.is_running())
+
+
+def name_patient(clinic: Application, name: str) -> None:
+    clinic.case.apply(replace(clinic.case.record.patient, name=name), "Name")
 
 
 def test_while_accounts_are_off_nothing_is_seen_of_them(clinic: Application) -> None:
@@ -134,13 +139,13 @@ def test_the_lock_hides_names_and_titles_and_unlocking_returns_to_the_page(
 ) -> None:
     signed_in(with_accounts, qtbot)
     window = with_accounts.window
-    window.show_title("Anna Berg", unsaved=False)
+    name_patient(with_accounts, "Anna Berg")
     title, page = window.windowTitle(), window.page
     with_accounts.window.actions_by_key["lock"].trigger()
     lock = with_accounts.features.clinic.lock
     assert lock.dialog is not None
     assert "Anna" not in window.windowTitle()
-    window.show_title("Berta Berg", unsaved=False)
+    name_patient(with_accounts, "Berta Berg")
     assert "Berta" not in window.windowTitle()
     start = with_accounts.features.records.start
     assert start is not None
