@@ -768,6 +768,10 @@
             <translation>Provpatienten är borttagen; Hjälp ▸ Provpatient hämtar tillbaka den.</translation>
         </message>
         <message>
+            <source>The visit is open in another window of this computer; close it there before it is deleted.</source>
+            <translation>Besöket är öppet i ett annat fönster på den här datorn; stäng det där innan det tas bort.</translation>
+        </message>
+        <message>
             <source>Their value</source>
             <translation>Deras värde</translation>
         </message>

@@ -269,12 +269,22 @@ class PatientRecords(QObject):
             self._is_adding_visit = False
 
     def _delete_visit(self, visit_id: str) -> None:
-        """Delete a visit of the person on the page if it is empty, or say why it is kept."""
+        """Delete a visit of the person on the page if it is empty, or say why it is kept.
+
+        The record knows who has it open at other stations, and nothing of other windows here.
+        """
         person = self.person_on_page
         shown = (
             None if self._person_presenter is None else self._person_presenter.visit_of(visit_id)
         )
         if person is None or shown is None:
+            return
+        if self._presence.is_in_another_window(visit_id):
+            sentence = tr(
+                "The visit is open in another window of this computer; close it there before it is "
+                "deleted."
+            )
+            self._services.messages.show_sentence(sentence)
             return
         day = shown.visit.visited_on.isoformat()
 

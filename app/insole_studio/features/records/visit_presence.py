@@ -57,6 +57,12 @@ class VisitPresence(QObject):
             except InsoleError as error:  # others see soon enough that this station is silent
                 log.warning("the visit is not left: %s", error)
 
+    def is_in_another_window(self, visit_id: str) -> bool:
+        """Return whether another window of this computer has a visit open."""
+        own = _name(visit_id, self._place) if visit_id == self._visit_id else ""
+        locks = self._services.paths.locks_folder.glob(_name(visit_id))
+        return any(self._is_held(path) for path in locks if path.name != own)
+
     def _follow(self) -> None:
         before, self._visit_id = self._visit_id, self._services.keeper.visit_id
         if before == self._visit_id:
@@ -77,7 +83,7 @@ class VisitPresence(QObject):
         lock, self._lock, self._place = self._lock, None, _MOST_WINDOWS
         if lock is not None:
             lock.release()  # first, else two that close at once would each leave it to the other
-        return not any(map(self._is_held, self._services.paths.locks_folder.glob(_name(visit_id))))
+        return not self.is_in_another_window(visit_id)
 
     def _line_up(self, visit_id: str) -> bool:
         """Take the first lock that is free; return whether no window here had the visit before."""

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from datetime import date
 
 import pytest
 from canned_questions import CannedQuestions
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import CaseRecord
+from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import Visit
 from insole_studio.app.bootstrap import Application, build_application
@@ -23,26 +25,31 @@ def told(app: Application) -> list[str]:
 
 
 @pytest.fixture
-def second(
-    opened: Application,
-    visit: Visit,
-    qapp: QApplication,
-    qtbot: QtBot,
-    rest: Callable[[], None],
-) -> Iterator[Application]:
-    """Another window at this station, with the same visit on its panels."""
-    rest()
-    assert told(opened) == []
-    window = build_application(qapp, opened.services.paths)
+def another_window(clinic: Application, qapp: QApplication, qtbot: QtBot) -> Iterator[Application]:
+    """Another window at this station, with the same record and nothing on its panels."""
+    window = build_application(qapp, clinic.services.paths)
     window.services.messages.questions = CannedQuestions()  # type: ignore[assignment]
-    clinic = window.services.clinic
-    clinic.open()
-    qtbot.waitUntil(lambda: clinic.is_open)
-    window.features.records.open_visit(visit.id)
-    qtbot.waitUntil(lambda: told(window) != [])
+    window.services.clinic.open()
+    qtbot.waitUntil(lambda: window.services.clinic.is_open)
     yield window
     window.autosave.forget()
     window.close()
+
+
+@pytest.fixture
+def second(
+    opened: Application,
+    another_window: Application,
+    visit: Visit,
+    qtbot: QtBot,
+    rest: Callable[[], None],
+) -> Application:
+    """Another window at this station, with the same visit on its panels."""
+    rest()
+    assert told(opened) == []
+    another_window.features.records.open_visit(visit.id)
+    qtbot.waitUntil(lambda: told(another_window) != [])
+    return another_window
 
 
 def test_a_second_window_says_that_the_visit_is_open_in_another_one(
@@ -81,3 +88,42 @@ def test_others_see_the_visit_open_until_the_last_window_here_has_closed_it(
     second.case.open(CaseRecord(), None)
     opened.case.open(CaseRecord(), None)
     qtbot.waitUntil(lambda: other_station.presence.others(visit.id) == [])
+
+
+def test_an_empty_visit_is_not_deleted_while_another_window_has_it_open(
+    clinic: Application,
+    another_window: Application,
+    records: Records,
+    qtbot: QtBot,
+    rest: Callable[[], None],
+) -> None:
+    """Whoever begins it there would lose it; it is deleted once that window has closed it."""
+    anna = records.persons.add(Person("Anna Berg"))
+    empty = records.visits.add(Visit(anna.id, date.today()))
+    clinic.features.records.show_person(anna.id)
+    rest()
+    page = clinic.features.records.person
+    assert page is not None
+    another_window.features.records.open_visit(empty.id)
+    qtbot.waitUntil(lambda: another_window.case.kept is not None)
+
+    def delete() -> None:
+        buttons = page.cards[empty.id].findChildren(QPushButton)
+        next(button for button in buttons if button.property("action") == "delete").click()
+        rest()
+
+    delete()
+    assert [dialog.text() for dialog in clinic.services.messages.dialogs] == [
+        "The visit is open in another window of this computer; close it there before it is deleted."
+    ]
+    assert records.visits.of_person(anna.id) == [empty]
+    clinic.features.records.open_visit(empty.id)  # also where it is open here, too
+    qtbot.waitUntil(lambda: clinic.case.kept is not None)
+    delete()
+    assert clinic.case.kept is not None, "it stays open here"
+    assert records.visits.of_person(anna.id) == [empty]
+    another_window.case.open(CaseRecord(), None)
+    qtbot.waitUntil(lambda: not another_window.services.clinic.jobs.is_running())
+    delete()
+    qtbot.waitUntil(lambda: not page.cards)
+    assert records.visits.of_person(anna.id) == []
