@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from datetime import date, timedelta
+from itertools import product
+from typing import Final
 
 from insole_core.cases.case_record import Patient
 from insole_core.cases.written_dates import AmbiguousDate, read_date
 from insole_core.errors import InputError
-from insole_core.messages import Message, joined
+from insole_core.messages import Message, Value, joined
 
 DAY_FIELDS = ("born", "visit")
 EARLIEST = date(1900, 1, 1)
 LATEST_AHEAD = timedelta(days=366)
 """How far ahead a visit may be planned."""
+_SHORT: Final = re.compile(r"(\d{2})([-./ ]?)(\d{2})\2(\d{2})", re.ASCII)
+"""A date whose year has two digits, such as the first six of a Swedish personal number."""
 _NAMES = {"born": "birth date", "visit": "date of the visit"}
 
 
@@ -22,7 +27,8 @@ def read_day(key: str, text: str, today: date) -> str:
     Parameters
     ----------
     key
-        "born" or "visit"; a birth date is not in the future, a visit at most a year ahead.
+        "born" or "visit"; a birth date is not in the future, a visit at most a year ahead. The year
+        of a birth date may have two digits where only one century is possible.
 
     Raises
     ------
@@ -32,13 +38,13 @@ def read_day(key: str, text: str, today: date) -> str:
     text = text.strip()
     if not text:
         return ""
+    short = _short_readings(text, today) if key == "born" else []
     try:
-        day = read_date(text, None)
+        day, *others = short or [read_date(text, None)]
     except AmbiguousDate as error:
-        raise InputError(
-            "{text} can be {first} or {second}; write the one that is meant.",
-            **error.message.values,
-        ) from error
+        raise _two_readings(**error.message.values) from error
+    if others:
+        raise _two_readings(text=text, first=day.isoformat(), second=others[0].isoformat())
     latest = today if key == "born" else today + LATEST_AHEAD
     if not EARLIEST <= day <= latest:
         raise InputError(
@@ -48,6 +54,32 @@ def read_day(key: str, text: str, today: date) -> str:
             last=latest.isoformat(),
         )
     return day.isoformat()
+
+
+def _short_readings(text: str, today: date) -> list[date]:
+    """Return the birth dates that one whose year has two digits can mean; empty for another one.
+
+    Those that have the year first, as personal numbers have, come first, and of these the latest.
+    """
+    match = _SHORT.fullmatch(text)
+    if match is None:
+        return []
+    first, _, second, third = map(str, match.groups())
+    orders = (first, second, third), (third, second, first), (third, first, second)
+    centuries = range(today.year // 100, EARLIEST.year // 100 - 1, -1)
+    found: dict[date, None] = {}
+    for (year, month, day), century in product(orders, centuries):
+        try:
+            born = date(100 * century + int(year), int(month), int(day))
+        except ValueError:
+            continue
+        if EARLIEST <= born <= today:
+            found[born] = None
+    return list(found)
+
+
+def _two_readings(**values: Value) -> InputError:
+    return InputError("{text} can be {first} or {second}; write the one that is meant.", **values)
 
 
 def doubtful_days(patient: Patient, today: date) -> str:

@@ -30,6 +30,12 @@ TODAY = date(2026, 11, 22)
         ("24-12-1970", "1970-12-24"),
         ("24 december 1970", "1970-12-24"),
         ("", ""),
+        ("700228", "1970-02-28"),
+        ("70-02-28", "1970-02-28"),
+        ("28.02.70", "1970-02-28"),
+        ("320101", "1932-01-01"),
+        ("000229", "2000-02-29"),
+        ("990101", "1999-01-01"),
     ],
 )
 def test_days_are_stored_as_iso_8601(typed: str, day: str) -> None:
@@ -47,6 +53,36 @@ def test_what_is_no_day_is_refused_with_an_example(typed: str) -> None:
 def test_a_day_of_two_readings_is_asked_for():
     with pytest.raises(InputError, match="can be 1970-03-04 or 1970-04-03; write the one"):
         read_day("born", "03/04/1970", TODAY)
+
+
+@pytest.mark.parametrize(
+    ("typed", "first", "second"),
+    [
+        ("130228", "2013-02-28", "1913-02-28"),  # a child, or somebody of over a hundred years
+        ("300612", "1930-06-12", "2012-06-30"),  # as other countries write it
+        ("03-04-70", "1970-04-03", "1970-03-04"),
+        ("261122", "2026-11-22", "1926-11-22"),  # born today
+        ("261123", "1926-11-23", "2023-11-26"),
+    ],
+)
+def test_a_year_of_two_digits_is_asked_for_where_two_days_are_possible(
+    typed: str, first: str, second: str
+) -> None:
+    with pytest.raises(InputError, match=f"{typed} can be {first} or {second}; write the one"):
+        read_day("born", typed, TODAY)
+
+
+@pytest.mark.parametrize("typed", ["702830", "70022", "7002281", "70-0228"])
+def test_two_digits_of_a_year_and_no_day_of_the_calendar_are_no_birth_date(typed: str) -> None:
+    with pytest.raises(InputError, match=r"is no date; write .* such as 1970-02-28"):
+        read_day("born", typed, TODAY)
+
+
+def test_a_visit_has_its_whole_year() -> None:
+    """A planned visit of 2030 would else be one of 1930."""
+    for typed in ("300101", "261128"):
+        with pytest.raises(InputError, match="is no date"):
+            read_day("visit", typed, TODAY)
 
 
 @pytest.mark.parametrize(

@@ -164,6 +164,7 @@ REFUSED = (
     ("", "", "", "The name is missing; type one."),
     ("A" * 300, "", "", "The name has 201 characters, and may have 200; shorten it."),
     ("Anna", "1970-02-30", "", "1970-02-30 is no date"),
+    ("Anna", "130228", "", "130228 can be 2013-02-28 or 1913-02-28; write the one that is meant."),
     ("Anna", "", "19700228-1111", "The last digit of 19700228-1111 does not fit the others"),
 )
 
@@ -182,6 +183,18 @@ def test_what_cannot_be_right_is_refused_in_the_dialog(
         assert records.persons.recent() == []
         dialog.reject()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_a_birth_date_is_typed_as_in_a_personal_number(
+    clinic: Application, records: Records, rest: Callable[[], None]
+) -> None:
+    clinic.controller.run_action("new_patient", False)
+    dialog = dialog_of(clinic)
+    fill(dialog, "Anna Berg", "700228")
+    QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
+    rest()
+    (found,) = records.persons.recent()
+    assert found.birth_date == date(1970, 2, 28)
 
 
 def test_a_number_that_is_known_opens_its_patient(
