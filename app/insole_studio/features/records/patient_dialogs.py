@@ -25,6 +25,7 @@ from insole_core.records.field_checks import MOST_NAME, check_name
 from insole_core.records.person import Person
 from insole_core.records.personal_numbers import KINDS, MOST_NUMBER, check_personal_number
 from insole_studio.features.records.record_form import choice_box, label_of
+from insole_studio.features.records.rows import day_text
 from insole_studio.features.records.start_page import MOST_LETTERS
 from insole_studio.services.person_list import person_headings
 from insole_studio.texts import tr
@@ -43,24 +44,25 @@ class NewPatientDialog(QDialog):
 
     Parameters
     ----------
-    name
-        What was searched for, to begin with.
+    begun
+        What is filled in to begin with, such as the name that was searched for.
     number_kind
         The kind of personal numbers used last.
     """
 
-    def __init__(self, name: str, number_kind: str, parent: QWidget | None = None) -> None:
+    def __init__(self, begun: Person, number_kind: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("New patient"))
         self.setMinimumWidth(_WIDTH_PX)
-        self.name = QLineEdit(name)
+        self.name = QLineEdit(begun.name)
         self.name.setMaxLength(MOST_NAME + 1)
-        self.born = DateField()
-        self.number = QLineEdit()
+        self.born = DateField(day_text(begun.birth_date))
+        self.number = QLineEdit(begun.personal_number)
         self.number.setMaxLength(MOST_NUMBER + 1)
         self.kind = choice_box(Person, "number_kind")
-        self.kind.show_value(number_kind)
+        self.kind.show_value(begun.number_kind or number_kind)
         self.consent = QCheckBox(tr("The patient agrees that these data are kept (today)"))
+        self.consent.setChecked(begun.consent_on is not None)
         self.refusal = MessageLabel("warning")
         self.number.editingFinished.connect(self._take_birth_date)
         self.buttons = QDialogButtonBox()
@@ -73,7 +75,7 @@ class NewPatientDialog(QDialog):
         self.person: Person | None = None
         """What was typed, once it is accepted."""
         self._lay_out()
-        (self.born if name else self.name).setFocus()
+        (self.born if begun.name else self.name).setFocus()
 
     def _lay_out(self) -> None:
         number = QHBoxLayout()

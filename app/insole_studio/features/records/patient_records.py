@@ -186,14 +186,21 @@ class PatientRecords(QObject):
 
     def ask_new_patient(self) -> None:
         """Ask for the data of a new patient, add them, and show their page."""
-        settings = self._services.settings
         name = "" if self.start is None else self.start.search.text().strip()
         if any(letter.isdigit() for letter in name):
             name = ""  # a date or a number was searched for
-        dialog = NewPatientDialog(name, settings.number_kind, self._services.window)
+        self._ask_new_patient(Person(name))
+
+    def _ask_new_patient(self, begun: Person) -> NewPatientDialog | None:
+        """Show the form of a new patient, unless nobody may see one meanwhile."""
+        if self._clinic.hides_patients:
+            return None
+        number_kind = self._services.settings.number_kind
+        dialog = NewPatientDialog(begun, number_kind, self._services.window)
         dialog.finished.connect(dialog.deleteLater)
         dialog.accepted.connect(lambda: self._add(dialog.person))
         dialog.open()
+        return dialog
 
     @property
     def transfer(self) -> RecordTransfer:
@@ -686,6 +693,8 @@ class PatientRecords(QObject):
     def _add(self, person: Person | None, *, is_another: bool = False) -> None:
         """Add a person, unless there is one of the same number; of a namesake the user decides.
 
+        What was typed is shown again where nobody is added after all.
+
         Parameters
         ----------
         is_another
@@ -709,6 +718,7 @@ class PatientRecords(QObject):
                     found,
                     (tr("Open this patient"), lambda: self.show_person(found.id)),
                     (tr("Add another patient"), lambda: self._add(person, is_another=True)),
+                    lambda: self._ask_new_patient(person),
                 )
                 return
             self.show_person(found.id)
@@ -717,10 +727,17 @@ class PatientRecords(QObject):
                     tr("{name} has this personal number already.").format(name=found.name)
                 )
 
-        self._clinic.write(add, added, self._tell)
+        def failed(error: Exception) -> None:
+            self._services.messages.show_error(error, self._ask_new_patient(person))
+
+        self._clinic.write(add, added, failed)
 
     def _ask_namesake(
-        self, known: PersonSummary, same: tuple[str, Then], another: tuple[str, Then]
+        self,
+        known: PersonSummary,
+        same: tuple[str, Then],
+        another: tuple[str, Then],
+        neither: Callable[[], object] = lambda: None,
     ) -> None:
         """Ask whether a new patient is somebody who is there, and do what is answered.
 
@@ -728,6 +745,8 @@ class PatientRecords(QObject):
         ----------
         same, another
             Verb of the button, and what it does.
+        neither
+            Called where nobody is to be added.
         """
         questions = self._services.messages.questions
         answer = questions.about_namesake(identified(known), same[0], another[0])
@@ -735,6 +754,8 @@ class PatientRecords(QObject):
             same[1]()
         elif answer is Namesake.ANOTHER:
             another[1]()
+        else:
+            neither()
 
 
 def _nothing(_answer: object) -> None:

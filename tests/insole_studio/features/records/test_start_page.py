@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from datetime import date, timedelta
+from typing import NoReturn
 
 import pytest
 from canned_questions import CannedQuestions
@@ -13,6 +14,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
+from insole_core.errors import RecordsError
 from insole_core.records.person import Person
 from insole_core.records.persons import add_persons
 from insole_core.records.records import Records
@@ -226,6 +228,7 @@ def test_of_a_namesake_born_on_the_same_day_one_question_is_asked(
     clinic.controller.run_action("new_patient", False)
     dialog = dialog_of(clinic)
     fill(dialog, "BERG, anna", "1970-02-28", "X-77")
+    dialog.consent.setChecked(True)
     QTest.mouseClick(dialog.add_button, Qt.MouseButton.LeftButton)
     rest()
     assert questions.asked == [f"Anna Bérg, 1970-02-28 ({anna.pseudonym})"]
@@ -233,11 +236,47 @@ def test_of_a_namesake_born_on_the_same_day_one_question_is_asked(
     assert len(added) == (answer is Namesake.ANOTHER)
     shown = {Namesake.SAME: "Anna Bérg", Namesake.ANOTHER: "BERG, anna"}.get(answer)
     page = clinic.features.records.person
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    forms = clinic.window.findChildren(NewPatientDialog)
     if shown is None:
         assert clinic.window.page is page_of(clinic)
+        (form,) = forms  # with all that was typed: it may be a name or a day that was mistyped
+        assert form.isVisible()
+        assert (form.name.text(), form.born.text()) == ("BERG, anna", "1970-02-28")
+        assert (form.number.text(), form.consent.isChecked()) == ("X-77", True)
+        assert form.kind.currentData() == ""
+        form.reject()
     else:
+        assert forms == []
         assert page is not None
         assert (clinic.window.page is page, page._name.text()) == (True, shown)
+
+
+def test_a_new_patient_whom_the_record_did_not_take_is_still_in_the_form(
+    clinic: Application,
+    records: Records,
+    rest: Callable[[], None],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def refuse(_person: Person) -> NoReturn:
+        raise RecordsError("The disk is full; make room on it.")
+
+    monkeypatch.setattr(records.persons, "add", refuse)
+    clinic.controller.run_action("new_patient", False)
+    fill(dialog_of(clinic), "Anna Berg", "1970-02-28", "X-77")
+    QTest.mouseClick(dialog_of(clinic).add_button, Qt.MouseButton.LeftButton)
+    rest()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    form = dialog_of(clinic)
+    (told,) = clinic.services.messages.dialogs
+    assert (told.text(), told.parent()) == ("The disk is full; make room on it.", form)
+    told.accept()
+    typed = form.name.text(), form.born.text(), form.number.text()
+    assert typed == ("Anna Berg", "1970-02-28", "X-77")
+    monkeypatch.undo()
+    QTest.mouseClick(form.add_button, Qt.MouseButton.LeftButton)
+    rest()
+    assert [person.name for person in records.persons.recent()] == ["Anna Berg"]
 
 
 def test_a_namesake_is_named_by_the_number_and_one_without_birth_date_is_asked_of_too(
