@@ -115,6 +115,7 @@ class VisitSummary:
     visited_on: date
     reason: str
     capture_state: CaptureState
+    created_at: str
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""Lists of persons: a column for each field that is listed, and the last visit."""
+"""Lists of persons, and by what persons and visits are told apart in one line."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from typing import Final
 
 from insole_core.records.person import Person, PersonSummary
 from insole_core.records.record_field import listed_fields
-from insole_studio.texts import tr, translate_core_message
+from insole_core.records.visit import Visit, VisitSummary
+from insole_studio.texts import moment_text, tr, translate_core_message
 from insole_studio.widgets.row_table import TableRow
 
 COLUMNS: Final = (*listed_fields(Person), "last_visit")
@@ -24,6 +25,17 @@ def person_headings() -> tuple[str, ...]:
 def name_and_birth(name: str, birth_date: date | None) -> str:
     """Return by what namesakes are told apart, where one line names a person."""
     return name if birth_date is None else f"{name}, {birth_date.isoformat()}"
+
+
+def visit_time_text(visit: Visit | VisitSummary) -> str:
+    """Return the day of a visit, with the time at which it was begun if that was on this day."""
+    return f"{visit.visited_on.isoformat()} {begun_text(visit)}".strip()
+
+
+def begun_text(visit: Visit | VisitSummary) -> str:
+    """Return the time at which a visit was begun; empty for one that was planned before its day."""
+    day, _, time = moment_text(visit.created_at).partition(" ")
+    return time if day == visit.visited_on.isoformat() else ""
 
 
 def identified(person: PersonSummary) -> str:

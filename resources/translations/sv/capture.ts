@@ -200,6 +200,10 @@
             <translation>{found:.0f} av {wanted:.0f} markörer är skymda</translation>
         </message>
         <message>
+            <source>{name}, visit of {time}</source>
+            <translation>{name}, besök {time}</translation>
+        </message>
+        <message>
             <source>{there} of {wanted} views are there.</source>
             <translation>{there} av {wanted} vyer finns.</translation>
         </message>

@@ -108,6 +108,10 @@
             <translation>Börja ett besök, eller öppna ett, först.</translation>
         </message>
         <message>
+            <source>Begun</source>
+            <translation>Påbörjat</translation>
+        </message>
+        <message>
             <source>Better, the same, worse; in a word or two</source>
             <translation>Bättre, oförändrat, sämre; med ett par ord</translation>
         </message>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,7 +16,7 @@ from insole_studio.acquisition.capture_plan import parse_assignment
 from insole_studio.acquisition.sensor_source import SensorSource
 from insole_studio.services.action_record import ActionRecord
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.person_list import name_and_birth
+from insole_studio.services.person_list import name_and_birth, visit_time_text
 from insole_studio.services.stage_window import StageWindow
 from insole_studio.texts import tr
 
@@ -114,9 +115,13 @@ class CaptureWindow(StageWindow["CaptureStage"]):
             self._names[kept.visit.id] = kept.person.name
             visits.append((kept.visit.id, tr("{name} (open here)").format(name=kept.person.name)))
         others = [visit for visit in waiting if visit.id != open_here]
+        times = Counter(visit.person_id for visit in others)
         for visit in others:
-            self._names[visit.id] = name_and_birth(visit.person_name, visit.birth_date)
-            visits.append((visit.id, self._names[visit.id]))
+            name = name_and_birth(visit.person_name, visit.birth_date)
+            if times[visit.person_id] > 1:
+                name = tr("{name}, visit of {time}").format(name=name, time=visit_time_text(visit))
+            self._names[visit.id] = name
+            visits.append((visit.id, name))
         chosen = self.stage.view.visit_id
         if chosen not in dict(visits):  # captured once: the other foot is of the same patient
             visits.append((chosen, self._names[chosen]))

@@ -43,10 +43,10 @@ from insole_studio.features.records.rows import (
     version_text,
     visit_heading,
     visit_texts,
-    visit_time_text,
 )
 from insole_studio.features.records.version_dialogs import AskFields, collided_fields
 from insole_studio.features.records.visit_card import VisitPictures
+from insole_studio.services.person_list import visit_time_text
 from insole_studio.texts import tr, translate_core_message
 
 if TYPE_CHECKING:
@@ -74,6 +74,8 @@ class VisitView:
     captures: tuple[Capture, ...]
     reused_scans: Sequence[str]
     """Of which days those scans are that an earlier visit had already."""
+    scanned_feet: Sequence[tuple[str, Side]]
+    """Each with the SHA-256 of its scan."""
     mirrored_feet: Sequence[Side]
     """Those that were not scanned."""
     others: tuple[str, ...]
@@ -341,6 +343,10 @@ def _visit_view(
         tuple(version.summary for version in newest),
         tuple(records.captures.of_visit(visit.id)),
         _of_versions(visit, lambda: [v.source.scanned_on for v in newest if v.source.scanned_on]),
+        _of_versions(
+            visit,
+            lambda: [(v.source.sha256, v.summary.side) for v in newest if not v.source.mirrored],
+        ),
         _of_versions(visit, lambda: [v.summary.side for v in newest if v.source.mirrored]),
         tuple(f"{present.author}, {present.station}" for present in others),
         dict(_of_versions(visit, lambda: [(v.summary.id, v.design) for v in newest])),
@@ -385,7 +391,7 @@ def _row(shown: VisitView) -> VisitRow:
         tuple(notes),
         shown.photos,
         (
-            *map(scan_text, shown.captures[:_MOST_SCANS]),
+            *(scan_text(one, _sides_of(shown, one)) for one in shown.captures[:_MOST_SCANS]),
             *(reused_scan_text(day) for day in sorted(set(shown.reused_scans))),
             *map(mirrored_text, shown.mirrored_feet),
         ),
@@ -395,6 +401,12 @@ def _row(shown: VisitView) -> VisitRow:
             for line in capture.facts.residual_lines
         ),
     )
+
+
+def _sides_of(shown: VisitView, capture: Capture) -> list[Side]:
+    """Return of which feet a capture is; a copy from the record is known by its content."""
+    digests = capture.source_sha256, capture.content_sha256
+    return [side for digest, side in shown.scanned_feet if digest in digests]
 
 
 def _version_line(version: VersionSummary) -> str:

@@ -24,6 +24,7 @@ from insole_core.records.order import (
 from insole_core.records.prescription import VersionSummary
 from insole_core.records.record_field import Lines, listed_fields, told_fields
 from insole_core.records.visit import CaptureState, Visit, VisitSummary
+from insole_studio.services.person_list import begun_text
 from insole_studio.texts import localised, moment_text, tr, translate_core_message
 from insole_studio.widgets.row_table import Sorting, TableRow
 
@@ -50,10 +51,18 @@ def capture_text(state: CaptureState) -> str:
     }[state]
 
 
-def scan_text(capture: Capture) -> str:
-    """Return when a foot was scanned, and when the sensors that did it were calibrated."""
+def scan_text(capture: Capture, sides: Sequence[Side]) -> str:
+    """Return when feet were scanned, and when the sensors that did it were calibrated.
+
+    Parameters
+    ----------
+    sides
+        Of the feet that were made of it; none where none was made yet.
+    """
     facts = capture.facts
-    time = moment_text(facts.recorded_at or capture.created_at)
+    foot = {Side.LEFT: tr("left foot"), Side.RIGHT: tr("right foot")}
+    moment = moment_text(facts.recorded_at or capture.created_at)
+    time = ", ".join([moment, *(foot[side] for side in sides)])
     if not facts.sensor_serials:
         return tr("Scan {name}, {time}").format(name=capture.file_name, time=time)
     if not facts.calibrated_on:
@@ -72,12 +81,6 @@ def mirrored_text(side: Side) -> str:
     if side is Side.LEFT:
         return tr("Left foot not scanned: mirrored from the right")
     return tr("Right foot not scanned: mirrored from the left")
-
-
-def visit_time_text(visit: Visit) -> str:
-    """Return the day of a visit, with the time at which it was begun if that was on this day."""
-    begun, day = moment_text(visit.created_at), visit.visited_on.isoformat()
-    return begun if begun.startswith(f"{day} ") else day
 
 
 def visit_heading(visit: Visit) -> str:
@@ -124,11 +127,11 @@ def version_text(version: VersionSummary) -> str:
 def visit_headings() -> tuple[str, ...]:
     """Return the headings of a list of visits of one day."""
     labels = (translate_core_message(field.label) for field in listed_fields(Visit).values())
-    return (tr("Name"), *labels, tr("Capture"))
+    return (tr("Name"), *labels, tr("Capture"), tr("Begun"))
 
 
 def visit_rows(visits: Sequence[VisitSummary]) -> list[TableRow]:
-    """Return the rows of the visits of one day."""
+    """Return the rows of the visits of one day; somebody may have two."""
     return [
         TableRow(
             visit.id,
@@ -136,7 +139,9 @@ def visit_rows(visits: Sequence[VisitSummary]) -> list[TableRow]:
                 visit.person_name,
                 *(str(getattr(visit, name)) for name in listed_fields(Visit)),
                 capture_text(visit.capture_state),
+                begun_text(visit),
             ),
+            tip=f"{tr('Begun')} {moment_text(visit.created_at)}",
         )
         for visit in visits
     ]

@@ -18,6 +18,7 @@ from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
 from insole_studio.app.bootstrap import Application
+from insole_studio.texts import moment_text
 
 pytestmark = pytest.mark.one_window
 
@@ -124,6 +125,10 @@ def test_the_capture_room_stores_a_session_with_a_visit_of_its_work_list(
     records.visits.add(Visit(bo.id, date.today(), capture_state=CaptureState.WANTED))
     qtbot.waitUntil(lambda: visits.findText("Bo Ek") > 0)
     assert stage.view.visit_id == wanted.id  # the other foot is of the same patient
+    bos = records.visits.add(Visit(bo.id, date.today(), capture_state=CaptureState.WANTED))
+    named = f"Bo Ek, visit of {moment_text(bos.created_at)}"  # else there are two equal ones
+    qtbot.waitUntil(lambda: visits.findText(named) > 0)
+    assert visits.findText("Bo Ek") == -1
     stage.close()
     assert clinic.features.foot.stage is None
 

@@ -125,6 +125,30 @@ def test_a_visit_says_when_it_was_captured_and_the_sensors_calibrated(
     assert label.toolTip() == "&lt;i&gt;A1: camera 0.31 px"
 
 
+def test_a_visit_says_of_which_foot_a_capture_is_once_one_is_made_of_it(
+    page: PersonPage,
+    records: Records,
+    visit: Visit,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+    tmp_path: Path,
+) -> None:
+    def capture(hour: int) -> str:
+        path = tmp_path / f"{hour}.stl"
+        path.write_bytes(f"solid {hour}".encode())
+        facts = CaptureFacts(f"2026-11-20T{hour}:40:00Z", ("A1",), "2026-10-01T08:00:00Z")
+        return records.captures.add(visit.id, MESH, path, facts).source_sha256
+
+    right, _not_made_yet = ScanSource("mesh", "10.stl", capture(10)), capture(11)
+    records.prescriptions.save(visit.id, FootRecord.begun(make_foot(Side.RIGHT), right), None)
+    times = [moment_text(f"2026-11-20T{hour}:40:00Z") for hour in (11, 10)]
+    qtbot.waitUntil(lambda: "foot" in page.cards[visit.id].scan.text())
+    assert page.cards[visit.id].scan.text().splitlines() == [
+        f"Captured {times[0]}; sensors calibrated 2026-10-01",
+        f"Captured {times[1]}, right foot; sensors calibrated 2026-10-01",
+    ]
+
+
 @pytest.fixture
 def changed_elsewhere(
     page: PersonPage, other_station: Records, visit: Visit, clinic: Application

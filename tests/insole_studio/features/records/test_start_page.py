@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from datetime import date, timedelta
+from datetime import UTC, date, datetime, time, timedelta
 from typing import NoReturn
 
 import pytest
@@ -138,6 +138,22 @@ def test_todays_visits_are_listed_and_yesterdays_are_not(
     page = page_of(clinic)
     qtbot.waitUntil(lambda: len(page.today.rows) == 1)
     assert page.today.rows[0].cells[:2] == ("Anna Berg", "Heel pain")
+
+
+def test_two_visits_of_one_day_are_told_apart_by_when_they_were_begun(
+    clinic: Application, records: Records, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    anna = records.persons.add(Person("Anna Berg"))
+    today, before = date.today(), date.today() - timedelta(days=3)
+    for day, hour in ((today, 9), (today, 14), (before, 9)):
+        moment = datetime.combine(day, time(hour, 40)).astimezone()
+        written = moment.astimezone(UTC).isoformat()
+        monkeypatch.setattr("insole_core.records.visits.utc_now", lambda told=written: told)
+        records.visits.add(Visit(anna.id, today, reason="Heel pain"))
+    page = page_of(clinic)
+    qtbot.waitUntil(lambda: len(page.today.rows) == 3)
+    assert [row.cells[-1] for row in page.today.rows] == ["", "09:40", "14:40"]
+    assert page.today.rows[0].tip == f"Begun {before.isoformat()} 09:40"
 
 
 def test_a_new_patient_is_added_with_the_birth_date_of_the_number(
