@@ -22,7 +22,7 @@ from insole_studio.services.person_list import person_headings
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
 from insole_studio.widgets.icons import icon
-from insole_studio.widgets.layouts import FlowRow
+from insole_studio.widgets.layouts import FlowRow, keep_room
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -75,7 +75,8 @@ class StartPage(QWidget):
         self.message = MessageLabel("warning")
         self.remedies: dict[str, QPushButton] = {}
         """Buttons beside the message, by their action."""
-        self.reminder = MessageLabel("quiet")
+        self.reminder = ElidedLabel("")
+        self.reminder.setObjectName("quiet")
         self.back_up = self._button("", tr("Backup…"), "backup")
         self.put_off = QPushButton(tr("Remind me in a week"))
         self.put_off.clicked.connect(self.reminder_put_off)
@@ -129,9 +130,9 @@ class StartPage(QWidget):
 
     def show_reminder(self, sentence: str) -> None:
         """Remind quietly of something to be done by and by; an empty sentence hides it."""
-        self.reminder.say(sentence)
-        for button in (self.back_up, self.put_off):
-            button.setVisible(bool(sentence))
+        self.reminder.setText(sentence)
+        for part in (self.reminder, self.back_up, self.put_off):
+            part.setVisible(bool(sentence))
 
     def show_usable(self, usable: bool, *, changeable: bool) -> None:
         """Show whether patients can be looked for and added; files can always be opened."""
@@ -210,9 +211,8 @@ class StartPage(QWidget):
         layout.setSpacing(8)
         layout.addWidget(self.message)
         layout.addWidget(self._remedy_row())
-        layout.addLayout(self._reminder_row())
         layout.addWidget(self._of_record, 1)
-        layout.addWidget(_heading(tr("Without a patient, or from files")))
+        layout.addLayout(self._heading_of_files())
         layout.addWidget(self._file_row())
         layout.addWidget(self._recent_row)
 
@@ -229,13 +229,15 @@ class StartPage(QWidget):
             button.hide()
         return FlowRow(*self.remedies.values())
 
-    def _reminder_row(self) -> QHBoxLayout:
+    def _heading_of_files(self) -> QHBoxLayout:
+        """Return the heading, beside which the reminder has its room: nothing moves as it comes."""
         row = QHBoxLayout()
         row.setSpacing(8)
-        row.addWidget(self.reminder, 1)
-        for button in (self.back_up, self.put_off):
-            button.hide()
-            row.addWidget(button)
+        row.addWidget(_heading(tr("Without a patient, or from files")), 1)
+        for part in (self.reminder, self.back_up, self.put_off):
+            keep_room(part)
+            part.hide()
+            row.addWidget(part)
         return row
 
     def _file_row(self) -> FlowRow:

@@ -12,8 +12,9 @@ from threading import Event
 import pyrage
 import pytest
 from administering import PASSWORD, shown, type_into
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
@@ -253,9 +254,20 @@ def test_the_start_page_reminds_of_backups_until_there_is_one_or_it_is_put_off(
     rest()
     assert not page.reminder.isVisible()  # there is nothing to lose yet
     records.persons.add(Person("Anna Berg"))
+    rest()
+
+    def places() -> list[QPoint]:
+        reminder = (page.reminder, page.back_up, page.put_off)
+        parts = page.findChildren(QWidget)
+        return [part.pos() for part in parts if part.isVisible() and part not in reminder]
+
+    before = places()
     planned.remind()
     rest()
+    assert page.reminder.isVisible()
     assert "There is no backup yet" in page.reminder.text()
+    assert page.reminder.width() >= page.reminder.needed_px
+    assert places() == before, "nothing moves as it comes"
     page.put_off.click()
     assert not page.reminder.isVisible()
     assert not page.put_off.isVisible()
