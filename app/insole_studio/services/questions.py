@@ -75,6 +75,7 @@ class Unsaved(Enum):
 
 
 Chosen = TypeVar("Chosen")
+_UNBROKEN_HYPHEN = "\N{NON-BREAKING HYPHEN}"
 _ACCEPT = QMessageBox.ButtonRole.AcceptRole
 _ACT = QMessageBox.ButtonRole.ActionRole
 _DESTRUCT = QMessageBox.ButtonRole.DestructiveRole
@@ -239,8 +240,10 @@ class Questions:
             _Choice(another, Namesake.ANOTHER, _ACT),
             _Choice(tr("Add nobody"), Namesake.CANCEL, _REJECT),
         ]
+        unbroken = person.replace("-", _UNBROKEN_HYPHEN)  # a pseudonym over two lines reads as two
+        sentence = tr("The record has this name and birth date already: {person}.")
         return self._choose(
-            tr("The record has this name and birth date already: {person}.").format(person=person),
+            sentence.format(person=unbroken),
             choices,
             default=Namesake.SAME,
             details=tr("Somebody who is there twice has only a part of the visits in each place."),
