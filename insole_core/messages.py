@@ -56,6 +56,19 @@ class Message(str):
         return (self.template,), dict(self.values)
 
 
+def counted(count: int, one: str, several: str, /, **values: Value) -> Message:
+    """Return what there is to say of a number of things.
+
+    Parameters
+    ----------
+    one, several
+        Templates for one thing, and for any other number, which is the `{count}` of the latter.
+    """
+    if count == 1:
+        return Message(one, **values)
+    return Message(several, count=count, **values)
+
+
 def shown_value(value: _T) -> _T | str:
     """Return a value as it may stand in a sentence: a text or a path of anybody as `visible_value`.
 

@@ -33,7 +33,7 @@ from insole_core.export.shop_order import (
 from insole_core.geometry.side import Side
 from insole_core.given_file import given_errors, read_given, sha256_of
 from insole_core.json_object import JsonObject
-from insole_core.messages import Message, Value
+from insole_core.messages import Message, counted
 from insole_core.progress import SILENT, Progress
 from insole_core.regular_file import is_folder
 from insole_core.strict_json import MOST_BYTES
@@ -66,19 +66,23 @@ class Verification:
 
     def compared(self) -> Message:
         """Return what was compared and is as it was written."""
-        facts: dict[str, Value] = {"count": len(self.order.files), "order": ORDER_FILE}
-        facts["sheets"] = self.sheets
+        files = counted(len(self.order.files), "1 file", "{count} files")
+        sheets = counted(self.sheets, "1 job sheet", "{count} job sheets")
         if self.has_digest:
             return Message(
-                "Unchanged: {count} files; all that {order} says (quantities, materials, texts, "
-                "dates, names of programs); the terms on {sheets} job sheets.",
-                **facts,
+                "Unchanged: {files}; all that {order} says (quantities, materials, texts, dates, "
+                "names of programs); the terms on {sheets}.",
+                files=files,
+                order=ORDER_FILE,
+                sheets=sheets,
             )
         return Message(
-            "Unchanged: {count} files; the terms on {sheets} job sheets. {order} was written by an "
-            "earlier version of the program, without a digest of its own: compare quantities, "
-            "materials and texts with what the clinic has sent.",
-            **facts,
+            "Unchanged: {files}; the terms on {sheets}. {order} was written by an earlier version "
+            "of the program, without a digest of its own: compare quantities, materials and texts "
+            "with what the clinic has sent.",
+            files=files,
+            order=ORDER_FILE,
+            sheets=sheets,
         )
 
 

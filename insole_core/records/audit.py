@@ -29,7 +29,7 @@ from sqlalchemy import (
     update,
 )
 
-from insole_core.messages import Message
+from insole_core.messages import Message, counted
 from insole_core.progress import SILENT, Progress
 from insole_core.records.author import Author, Proof, utc_now
 from insole_core.records.checked_values import highest, lowest
@@ -367,11 +367,13 @@ def verify_chain(
         previous = row.hash
     last = max(head_seq, *known) if known else head_seq
     if number != last:
-        problem = Message(
+        problem = counted(
+            last,
+            "The audit log ends with line {last}, but one line was written; compare it with a "
+            "backup.",
             "The audit log ends with line {last}, but {count} lines were written; compare it with "
             "a backup.",
             last=number,
-            count=last,
         )
         return AuditReport(number, previous, min(number, last) + 1, problem)
     if previous != head_hash:
@@ -395,11 +397,14 @@ def compared_with_note(report: AuditReport, noted: Mapping[int, str]) -> AuditRe
     """
     if noted or report.problem is not None or report.lines == 0:
         return report
-    problem = Message(
+    problem = counted(
+        report.lines,
+        "The audit log has one line, and it is not noted beside the files any more, so that an end "
+        "that was cut off would not be seen; compare the record with a backup. The next change "
+        "notes it again.",
         "The audit log has {count} lines, and the last one is not noted beside the files any more, "
         "so that an end that was cut off would not be seen; compare the record with a backup. The "
         "next change notes it again.",
-        count=report.lines,
     )
     return replace(report, problem=problem)
 

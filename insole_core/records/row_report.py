@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from sqlalchemy import Connection, select
 
-from insole_core.messages import Message
+from insole_core.messages import Message, counted
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import SEALED_ROWS, AuditLog
 from insole_core.records.author import Author
@@ -51,25 +51,31 @@ class RowReport:
 
 def problems_of_rows(rows: RowReport) -> Iterator[Message]:
     """Yield what is wrong with rows, a sentence for each kind."""
-    for found, template in (
+    for found, one, several in (
         (
             rows.changed,
+            "One row of {kind} is not what the audit log says was stored: {first}; compare it with "
+            "a backup.",
             "{count} rows of {kind} are not what the audit log says was stored, the first is "
             "{first}; compare them with a backup.",
         ),
         (
             rows.missing,
+            "One row of {kind} is gone that the audit log knows: {first}; compare the record with "
+            "a backup.",
             "{count} rows of {kind} are gone that the audit log knows, the first is {first}; "
             "compare the record with a backup.",
         ),
         (
             rows.unlogged,
+            "One row of {kind} is in no line of the audit log: {first}; compare the record with a "
+            "backup.",
             "{count} rows of {kind} are in no line of the audit log, the first is {first}; compare "
             "the record with a backup.",
         ),
     ):
         for kind, ids in found.items():
-            yield Message(template, count=len(ids), kind=kind, first=ids[0][:12])
+            yield counted(len(ids), one, several, kind=kind, first=ids[0][:12])
     if rows.were_accounts_on:
         yield Message(
             "Accounts are off, although nobody has switched them off: anybody may do anything; "

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from sqlalchemy import Connection, ForeignKeyConstraint, and_, exists, func, select, text
 
-from insole_core.messages import Message
+from insole_core.messages import Message, counted
 from insole_core.progress import SILENT, Progress
 from insole_core.records.audit import AuditReport, compared_with_note, verify_chain
 from insole_core.records.content_store import ContentReport
@@ -45,19 +45,18 @@ class VerifyReport:
     def compared(self) -> Message:
         """Return what was compared, and with what."""
         return Message(
-            "Compared: {lines} lines of the audit log {others}; {rows} rows (persons, visits, "
-            "captures, prescriptions, orders, follow-ups, accounts with roles and passwords, "
-            "settings) with what the log says of their last change; whether accounts are on; "
-            "{signatures} signatures; {files} files with their SHA-256. Not compared: who works "
-            "where just now, failed sign-ins, and what is drawn from other rows, such as the words "
-            "of the search.",
-            lines=self.audit.lines,
+            "Compared: {lines} of the audit log {others}; {rows} (persons, visits, captures, "
+            "prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with "
+            "what the log says of their last change; whether accounts are on; {signatures}; "
+            "{files}, by their SHA-256. Not compared: who works where just now, failed sign-ins, "
+            "and what is drawn from other rows, such as the words of the search.",
+            lines=counted(self.audit.lines, "1 line", "{count} lines"),
             others=Message("with each other and with the last one noted beside the files")
             if self.is_noted
             else Message("with each other, and not with the last one, which is not noted"),
-            rows=self.rows.checked,
-            signatures=self.signatures.checked,
-            files=self.contents.checked,
+            rows=counted(self.rows.checked, "1 row", "{count} rows"),
+            signatures=counted(self.signatures.checked, "1 signature", "{count} signatures"),
+            files=counted(self.contents.checked, "1 file", "{count} files"),
         )
 
     @property
@@ -77,41 +76,51 @@ class VerifyReport:
             )
         if self.audit.problem is not None:
             found.append(self.audit.problem)
-        for ids, template in (
+        for ids, one, several in (
             (
                 self.signatures.changed,
+                "One signed prescription is not what was signed: {first}; compare it with a "
+                "backup.",
                 "{count} signed prescriptions are not what was signed, the first is {first}; "
                 "compare them with a backup.",
             ),
             (
                 self.signatures.unlogged,
+                "One signed prescription has a signature that the audit log does not know: "
+                "{first}; compare it with a backup.",
                 "{count} signed prescriptions have a signature that the audit log does not know, "
                 "the first is {first}; compare them with a backup.",
             ),
             (
                 self.signatures.missing,
+                "One signed prescription is gone: {first}; compare the record with a backup.",
                 "{count} signed prescriptions are gone, the first is {first}; compare the record "
                 "with a backup.",
             ),
             (
                 self.contents.damaged,
+                "One file was changed since the record stored it: {first}; restore it from a "
+                "backup.",
                 "{count} files were changed since the record stored them, the first is {first}; "
                 "restore them from a backup.",
             ),
             (
                 self.contents.missing,
+                "One file of the record is missing: {first}; restore it from a backup.",
                 "{count} files of the record are missing, the first is {first}; restore them from "
                 "a backup.",
             ),
         ):
             if ids:
-                found.append(Message(template, count=len(ids), first=ids[0][:12]))
+                found.append(counted(len(ids), one, several, first=ids[0][:12]))
         found += problems_of_rows(self.rows)
         found += [
-            Message(
+            counted(
+                count,
+                "One row of {table} refers to something that is not there; restore the record from "
+                "a backup.",
                 "{count} rows of {table} refer to something that is not there; restore the record "
                 "from a backup.",
-                count=count,
                 table=table,
             )
             for table, count in self.references.items()

@@ -17,7 +17,7 @@ from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.mesh_resolution import thinned
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid
-from insole_core.messages import Message
+from insole_core.messages import Message, counted
 from insole_core.scans.cleaning import (
     INSIDE_OUT,
     faces_outwards,
@@ -280,10 +280,20 @@ def _even_cloud(raw: RawSurface, path: Path) -> tuple[RawSurface, tuple[Message,
     kept = even.at_points(np.flatnonzero(without_outliers(even.vertices)))
     notes = [Message("A surface was laid through {points} points.", points=len(kept.vertices))]
     if far := len(even.vertices) - len(kept.vertices):
-        notes.append(Message("{count} points far from all others were left out.", count=far))
+        notes.append(
+            counted(
+                far,
+                "One point far from all others was left out.",
+                "{count} points far from all others were left out.",
+            )
+        )
     if more := len(raw.vertices) - len(even.vertices):
         notes.append(
-            Message("{count} points were left out that lie close beside others.", count=more)
+            counted(
+                more,
+                "One point was left out that lies close beside another.",
+                "{count} points were left out that lie close beside others.",
+            )
         )
     return kept, tuple(notes)
 
@@ -357,8 +367,10 @@ def _scale_note(unit: Unit, *, is_known: bool) -> Message:
 
 def _mesh_notes(mesh: TriangleMesh, count: int, pitch_mm: float, spikes: int) -> Iterator[Message]:
     if spikes:
-        yield Message(
-            "{count} points stuck out of the surface as spikes and were drawn back.", count=spikes
+        yield counted(
+            spikes,
+            "One point stuck out of the surface as a spike and was drawn back.",
+            "{count} points stuck out of the surface as spikes and were drawn back.",
         )
     if not mesh.is_closed:
         yield Message("The surface is open; where nothing was measured it is continued smoothly.")

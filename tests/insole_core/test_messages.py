@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from insole_core.errors import InputError, InsoleError
-from insole_core.messages import Message, joined
+from insole_core.messages import Message, counted, joined
 from insole_core.progress import Progress
 
 TEMPLATE = "The view {view} is off by {error_mm:.1f} mm: {reason}."
@@ -105,3 +105,12 @@ def test_progress_reports_messages() -> None:
         "Placing the view {view}",
         TEMPLATE,
     ]
+
+
+@pytest.mark.parametrize(
+    ("count", "said"), [(0, "0 files of A7"), (1, "1 file of A7"), (2, "2 files of A7")]
+)
+def test_one_thing_is_told_as_one(count: int, said: str) -> None:
+    told = counted(count, "1 file of {order}", "{count} files of {order}", order="A7")
+    assert told == said
+    assert told.template == ("1 file of {order}" if count == 1 else "{count} files of {order}")

@@ -193,7 +193,7 @@ class Said(NamedTuple):
 
 @cache
 def all_said() -> tuple[Said, ...]:
-    speaking = {"step", "fail", "Message", *names_of_errors()}
+    speaking = {"step", "fail", "Message", "counted", *names_of_errors()}
     calls = [call for file in files().values() for call in file.calls]
     return tuple(said for name, said in calls if name in speaking)
 
@@ -204,7 +204,12 @@ def calls_in(path: Path, nodes: Iterable[ast.AST]) -> Iterator[tuple[str, Said]]
         name = getattr(call.func, "id", getattr(call.func, "attr", ""))
         is_step = name in ("step", "fail")
         place = 1 if is_step else 0
-        if (is_step or name[:1].isupper()) and len(call.args) > place:
+        if name == "counted":  # says one thing, or several
+            keys = {key.arg for key in call.keywords if key.arg}
+            where = f"{path.name}:{call.lineno}"
+            for sentence, more in zip(call.args[1:], (set(), {"count"}), strict=True):
+                yield name, Said(where, sentence, keys | more, open_ended=False)
+        elif (is_step or name[:1].isupper()) and len(call.args) > place:
             keys = {key.arg for key in call.keywords}
             where = f"{path.name}:{call.lineno}"
             yield name, Said(where, call.args[place], {k for k in keys if k}, None in keys)

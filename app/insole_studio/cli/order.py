@@ -15,6 +15,7 @@ from insole_core.export.shop_order import OrderTerms
 from insole_core.formats.file_formats import SOLID_SUFFIXES
 from insole_core.geometry.side import Side
 from insole_core.given_file import check_once
+from insole_core.messages import counted
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import Command, Step, add_steps, day, from_one
@@ -97,8 +98,8 @@ def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
         number=number, shop=shop, now=now, released_by=_released_by(arguments),
         translate=wording_of(arguments).translate, progress=SILENT,
     )  # fmt: skip
-    count = len(order.files)
-    progress.step(1.0, f"Done: order {number} with {count} files in {arguments.out}")
+    files = counted(len(order.files), "1 file", "{count} files")
+    progress.step(1.0, f"Done: order {number} with {files} in {arguments.out}")
 
 
 def _check_out(path: Path) -> None:
@@ -225,16 +226,18 @@ def _run_verify(arguments: argparse.Namespace, progress: Progress) -> None:
     told = (
         f"Order {order.release.number}, revision {order.release.revision}, of {order.created_at}, "
         f"by {order.program}: "
-        f"{len(order.items)} patients, {count} pieces or pairs, {len(order.files)} files"
+        f"{counted(len(order.items), '1 patient', '{count} patients')}, "
+        f"{counted(count, '1 piece or pair', '{count} pieces or pairs')}, "
+        f"{counted(len(order.files), '1 file', '{count} files')}"
     )
     for line in (told, *verification.problems):
         print(visible_line(line))
     if verification.problems:
         raise InputError(
-            "{order} is not as it was written: {count} problems, listed above; do not make it "
-            "before the clinic has answered.",
+            "{order} is not as it was written: {problems}, listed above; do not make it before "
+            "the clinic has answered.",
             order=arguments.order,
-            count=len(verification.problems),
+            problems=counted(len(verification.problems), "1 problem", "{count} problems"),
         )
     print(visible_line(f"The order is complete. {verification.compared()}"))
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
+from insole_core.messages import counted
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import Step, check_within, number
@@ -91,7 +92,8 @@ def _run(arguments: argparse.Namespace, progress: Progress) -> None:
     for note in written.notes:
         print(visible_line(f"Warning: {note}"), file=sys.stderr)
     names = ", ".join(path.name for path in written.paths)
-    progress.step(1.0, f"Done: {len(nest.pieces)} pieces on {block.words}: {names}")
+    nested = counted(len(nest.pieces), "1 piece", "{count} pieces")
+    progress.step(1.0, f"Done: {nested} on {block.words}: {names}")
 
 
 def _read(paths: Sequence[Path], progress: Progress) -> Iterator[Iterator[OrderedPiece]]:

@@ -13,7 +13,7 @@ from insole_core.errors import InputError
 from insole_core.export.shop_order import OrderTerms, terms_to_json
 from insole_core.formats.file_formats import names_nobody
 from insole_core.geometry.side import Side
-from insole_core.messages import Message
+from insole_core.messages import Message, counted
 from insole_core.records.author import program_version, utc_now
 from insole_core.records.capture import Capture
 from insole_core.records.marks import Erased
@@ -185,15 +185,24 @@ def _withheld(
     for order, kept in zip(orders, pseudonymous_orders, strict=True):
         count = len(order.files) - len(kept.files)
         if count:
-            yield Message(
+            yield counted(
+                count,
+                "Order {number}: 1 file that may name the patient",
                 "Order {number}: {count} files that may name the patient",
                 number=order.number,
-                count=count,
             )
     if captures:
-        yield Message("{count} captures, which may show or name the patient", count=captures)
+        yield counted(
+            captures,
+            "1 capture, which may show or name the patient",
+            "{count} captures, which may show or name the patient",
+        )
     if photos:
-        yield Message("{count} photos, which show the patient", count=photos)
+        yield counted(
+            photos,
+            "1 photo, which shows the patient",
+            "{count} photos, which show the patient",
+        )
 
 
 def pseudonymous_foot(foot: FootRecord, name: str) -> FootRecord:

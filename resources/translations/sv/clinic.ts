@@ -72,10 +72,6 @@
             <translation>Allt som journalen innehåller om de {count} patienterna i listan försvinner.</translation>
         </message>
         <message>
-            <source>All {lines} lines are what was written, and none is missing.</source>
-            <translation>Alla {lines} rader är vad som skrevs, och ingen saknas.</translation>
-        </message>
-        <message>
             <source>As it stands on the patient's page: P-…</source>
             <translation>Som den står på patientens sida: P-…</translation>
         </message>
@@ -112,8 +108,8 @@
             <translation>Säkerhetskopia</translation>
         </message>
         <message>
-            <source>Backup {number} is made: patients {patients}, {rows} entries and {files} files, {new_mb:.1f} MB of them new. All that was written has been read again and is right.</source>
-            <translation>Säkerhetskopia {number} är gjord: patienter {patients}, {rows} poster och {files} filer, varav {new_mb:.1f} MB nya. Allt som skrevs har lästs igen och är rätt.</translation>
+            <source>Backup {number} is made: patients {patients}, {rows} and {files}, {new_mb:.1f} MB of them new. All that was written has been read again and is right.</source>
+            <translation>Säkerhetskopia {number} är gjord: patienter {patients}, {rows} och {files}, varav {new_mb:.1f} MB nya. Allt som skrevs har lästs igen och är rätt.</translation>
         </message>
         <message>
             <source>Backups are encrypted. Choose a passphrase of four words or more, and keep it on paper where the backup is not: without it nobody can restore the record.</source>
@@ -432,10 +428,6 @@
             <translation>På den här datorn eller på en server som stationer delar</translation>
         </message>
         <message>
-            <source>One patient was erased after the backup, and now again.</source>
-            <translation>En patient raderades efter säkerhetskopian och nu igen.</translation>
-        </message>
-        <message>
             <source>Only by hand</source>
             <translation>Endast för hand</translation>
         </message>
@@ -620,8 +612,8 @@
             <translation>Den tidigare journalen finns kvar som {path}.</translation>
         </message>
         <message>
-            <source>The record is as it was on {moment}: {rows} entries and {files} files.</source>
-            <translation>Journalen är som den var {moment}: {rows} poster och {files} filer.</translation>
+            <source>The record is as it was on {moment}: {rows} and {files}.</source>
+            <translation>Journalen är som den var {moment}: {rows} och {files}.</translation>
         </message>
         <message>
             <source>The record is kept for</source>
@@ -890,22 +882,6 @@
         <message>
             <source>wrong passwords: {count}</source>
             <translation>fel lösenord: {count}</translation>
-        </message>
-        <message>
-            <source>{count} files are missing or damaged in the record and are not in the backup; verify the record, and restore them from an earlier backup.</source>
-            <translation>{count} filer saknas eller är skadade i journalen och finns inte i säkerhetskopian; kontrollera journalen och återställ dem från en tidigare säkerhetskopia.</translation>
-        </message>
-        <message>
-            <source>{count} files of the settings were there already, and stay.</source>
-            <translation>{count} filer med inställningar fanns redan och står kvar.</translation>
-        </message>
-        <message>
-            <source>{count} files were lost before it was made, and are not in it.</source>
-            <translation>{count} filer hade förlorats innan den gjordes och finns inte i den.</translation>
-        </message>
-        <message>
-            <source>{count} patients were erased after the backup, and now again.</source>
-            <translation>{count} patienter raderades efter säkerhetskopian och nu igen.</translation>
         </message>
         <message>
             <source>{newest}; backups in the folder: {count}, the oldest of {oldest}</source>

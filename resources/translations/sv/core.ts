@@ -60,6 +60,38 @@
             <translation>0°</translation>
         </message>
         <message>
+            <source>1 capture, which may show or name the patient</source>
+            <translation>1 inspelning, som kan visa eller nämna patienten</translation>
+        </message>
+        <message>
+            <source>1 entry</source>
+            <translation>1 post</translation>
+        </message>
+        <message>
+            <source>1 file</source>
+            <translation>1 fil</translation>
+        </message>
+        <message>
+            <source>1 job sheet</source>
+            <translation>1 arbetsblad</translation>
+        </message>
+        <message>
+            <source>1 line</source>
+            <translation>1 rad</translation>
+        </message>
+        <message>
+            <source>1 photo, which shows the patient</source>
+            <translation>1 foto, som visar patienten</translation>
+        </message>
+        <message>
+            <source>1 row</source>
+            <translation>1 rad</translation>
+        </message>
+        <message>
+            <source>1 signature</source>
+            <translation>1 signatur</translation>
+        </message>
+        <message>
             <source>100 % smooths out all that a stroke can</source>
             <translation>100 % jämnar ut allt som ett drag kan</translation>
         </message>
@@ -402,6 +434,10 @@
         <message>
             <source>All walls lie between {nearest_mm:.0f} and {farthest_mm:.0f} mm; capture walls from 600 to 900 mm, which show every dot at different pixels.</source>
             <translation>Alla väggar ligger mellan {nearest_mm:.0f} och {farthest_mm:.0f} mm; ta upp väggar på 600 till 900 mm, som visar varje punkt på olika bildpunkter.</translation>
+        </message>
+        <message>
+            <source>All {count} lines are what was written, and none is missing.</source>
+            <translation>Alla {count} rader är vad som skrevs, och ingen saknas.</translation>
         </message>
         <message>
             <source>Allowance around the heel</source>
@@ -752,8 +788,8 @@
             <translation>Jämförd del</translation>
         </message>
         <message>
-            <source>Compared: {lines} lines of the audit log {others}; {rows} rows (persons, visits, captures, prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with what the log says of their last change; whether accounts are on; {signatures} signatures; {files} files with their SHA-256. Not compared: who works where just now, failed sign-ins, and what is drawn from other rows, such as the words of the search.</source>
-            <translation>Jämfört: {lines} rader i loggen {others}; {rows} rader (personer, besök, skanningar, ordinationer, beställningar, uppföljningar, konton med roller och lösenord, inställningar) med vad loggen säger om deras senaste ändring; om konton är påslagna; {signatures} signaturer; {files} filer med deras SHA-256. Inte jämfört: vem som arbetar var just nu, misslyckade inloggningar, och det som härleds ur andra rader, såsom sökorden.</translation>
+            <source>Compared: {lines} of the audit log {others}; {rows} (persons, visits, captures, prescriptions, orders, follow-ups, accounts with roles and passwords, settings) with what the log says of their last change; whether accounts are on; {signatures}; {files}, by their SHA-256. Not compared: who works where just now, failed sign-ins, and what is drawn from other rows, such as the words of the search.</source>
+            <translation>Jämfört: {lines} i loggen {others}; {rows} (personer, besök, skanningar, ordinationer, beställningar, uppföljningar, konton med roller och lösenord, inställningar) med vad loggen säger om deras senaste ändring; om konton är påslagna; {signatures}; {files}, efter deras SHA-256. Inte jämfört: vem som arbetar var just nu, misslyckade inloggningar, och det som härleds ur andra rader, såsom sökorden.</translation>
         </message>
         <message>
             <source>Comparing the files</source>
@@ -2180,8 +2216,72 @@
             <translation>Ena änden av avtrycket är bara {depth_mm:.0f} mm djup: häl eller tår trycktes knappt ner, så sida och längd är osäkra; ange vilken fot det är och jämför dess längd.</translation>
         </message>
         <message>
+            <source>One file is missing or damaged in the record and is not in the backup; verify the record, and restore it from an earlier backup.</source>
+            <translation>En fil saknas eller är skadad i journalen och finns inte i säkerhetskopian; kontrollera journalen och återställ den från en tidigare säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One file of the record is missing: {first}; restore it from a backup.</source>
+            <translation>En av journalens filer saknas: {first}; återställ den från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One file of the settings was there already, and stays.</source>
+            <translation>En fil med inställningar fanns redan och står kvar.</translation>
+        </message>
+        <message>
+            <source>One file was changed since the record stored it: {first}; restore it from a backup.</source>
+            <translation>En fil har ändrats sedan journalen sparade den: {first}; återställ den från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One file was lost before it was made, and is not in it.</source>
+            <translation>En fil hade förlorats innan den gjordes och finns inte i den.</translation>
+        </message>
+        <message>
             <source>One foot is put back; leave out the seed of the foot, or the others.</source>
             <translation>En fot läggs tillbaka; utelämna fotens frö eller det andra.</translation>
+        </message>
+        <message>
+            <source>One patient was erased after the backup, and now again.</source>
+            <translation>En patient raderades efter säkerhetskopian och nu igen.</translation>
+        </message>
+        <message>
+            <source>One point far from all others was left out.</source>
+            <translation>En punkt långt från alla andra har utelämnats.</translation>
+        </message>
+        <message>
+            <source>One point stuck out of the surface as a spike and was drawn back.</source>
+            <translation>En punkt stack ut ur ytan som en tagg och har dragits tillbaka.</translation>
+        </message>
+        <message>
+            <source>One point was left out that lies close beside another.</source>
+            <translation>En punkt som ligger tätt intill en annan utelämnades.</translation>
+        </message>
+        <message>
+            <source>One row of {kind} is gone that the audit log knows: {first}; compare the record with a backup.</source>
+            <translation>En rad av slaget {kind} som loggen känner till är borta: {first}; jämför journalen med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One row of {kind} is in no line of the audit log: {first}; compare the record with a backup.</source>
+            <translation>En rad av slaget {kind} finns inte i någon rad i loggen: {first}; jämför journalen med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One row of {kind} is not what the audit log says was stored: {first}; compare it with a backup.</source>
+            <translation>En rad av slaget {kind} är inte vad loggen säger att den var: {first}; jämför den med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One row of {table} refers to something that is not there; restore the record from a backup.</source>
+            <translation>En rad i {table} hänvisar till något som inte finns; återställ journalen från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One signed prescription has a signature that the audit log does not know: {first}; compare it with a backup.</source>
+            <translation>En signerad ordination har en signatur som loggen inte känner till: {first}; jämför den med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One signed prescription is gone: {first}; compare the record with a backup.</source>
+            <translation>En signerad ordination är borta: {first}; jämför journalen med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>One signed prescription is not what was signed: {first}; compare it with a backup.</source>
+            <translation>En signerad ordination är inte vad som signerades: {first}; jämför den med en säkerhetskopia.</translation>
         </message>
         <message>
             <source>One view without a reference system: taken as a thing on a table.</source>
@@ -2258,6 +2358,10 @@
         <message>
             <source>Order {number} was written without solids; export it again.</source>
             <translation>Beställning {number} skrevs utan stycken; exportera den på nytt.</translation>
+        </message>
+        <message>
+            <source>Order {number}: 1 file that may name the patient</source>
+            <translation>Beställning {number}: 1 fil som kan nämna patienten</translation>
         </message>
         <message>
             <source>Order {number}: {count} files that may name the patient</source>
@@ -3112,8 +3216,16 @@
             <translation>Fönstrets uppställning är skadad, så det har den vanliga.</translation>
         </message>
         <message>
+            <source>The audit log ends with line {last}, but one line was written; compare it with a backup.</source>
+            <translation>Loggen slutar med rad {last}, men en rad har skrivits; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>The audit log ends with line {last}, but {count} lines were written; compare it with a backup.</source>
             <translation>Loggen slutar med rad {last}, men {count} rader har skrivits; jämför med en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>The audit log has one line, and it is not noted beside the files any more, so that an end that was cut off would not be seen; compare the record with a backup. The next change notes it again.</source>
+            <translation>Loggen har en rad, och den är inte längre noterad bredvid filerna, så att ett avklippt slut inte skulle synas; jämför journalen med en säkerhetskopia. Nästa ändring noterar den igen.</translation>
         </message>
         <message>
             <source>The audit log has {count} lines, and the last one is not noted beside the files any more, so that an end that was cut off would not be seen; compare the record with a backup. The next change notes it again.</source>
@@ -3726,6 +3838,10 @@
         <message>
             <source>The number of walls is {count}; give 1 to {most}.</source>
             <translation>Antalet väggar är {count}; ange 1 till {most}.</translation>
+        </message>
+        <message>
+            <source>The one line is what was written, and none is missing.</source>
+            <translation>Den enda raden är vad som skrevs, och ingen saknas.</translation>
         </message>
         <message>
             <source>The only variant of a foot cannot be deleted; empty it instead.</source>
@@ -4844,12 +4960,12 @@
             <translation>US dam</translation>
         </message>
         <message>
-            <source>Unchanged: {count} files; all that {order} says (quantities, materials, texts, dates, names of programs); the terms on {sheets} job sheets.</source>
-            <translation>Oförändrat: {count} filer; allt som {order} säger (antal, material, texter, datum, programnamn); villkoren på {sheets} arbetsblad.</translation>
+            <source>Unchanged: {files}; all that {order} says (quantities, materials, texts, dates, names of programs); the terms on {sheets}.</source>
+            <translation>Oförändrat: {files}; allt som {order} säger (antal, material, texter, datum, programnamn); villkoren på {sheets}.</translation>
         </message>
         <message>
-            <source>Unchanged: {count} files; the terms on {sheets} job sheets. {order} was written by an earlier version of the program, without a digest of its own: compare quantities, materials and texts with what the clinic has sent.</source>
-            <translation>Oförändrat: {count} filer; villkoren på {sheets} arbetsblad. {order} skrevs av en tidigare version av programmet, utan egen kontrollsumma: jämför antal, material och texter med det som kliniken har skickat.</translation>
+            <source>Unchanged: {files}; the terms on {sheets}. {order} was written by an earlier version of the program, without a digest of its own: compare quantities, materials and texts with what the clinic has sent.</source>
+            <translation>Oförändrat: {files}; villkoren på {sheets}. {order} skrevs av en tidigare version av programmet, utan egen kontrollsumma: jämför antal, material och texter med det som kliniken har skickat.</translation>
         </message>
         <message>
             <source>Underside</source>
@@ -8804,16 +8920,48 @@
             <translation>{count} hörn, vridet {turn_deg:.0f}° {side}</translation>
         </message>
         <message>
+            <source>{count} entries</source>
+            <translation>{count} poster</translation>
+        </message>
+        <message>
+            <source>{count} files</source>
+            <translation>{count} filer</translation>
+        </message>
+        <message>
+            <source>{count} files are missing or damaged in the record and are not in the backup; verify the record, and restore them from an earlier backup.</source>
+            <translation>{count} filer saknas eller är skadade i journalen och finns inte i säkerhetskopian; kontrollera journalen och återställ dem från en tidigare säkerhetskopia.</translation>
+        </message>
+        <message>
             <source>{count} files of the record are missing, the first is {first}; restore them from a backup.</source>
             <translation>{count} av journalens filer saknas, den första är {first}; återställ dem från en säkerhetskopia.</translation>
+        </message>
+        <message>
+            <source>{count} files of the settings were there already, and stay.</source>
+            <translation>{count} filer med inställningar fanns redan och står kvar.</translation>
         </message>
         <message>
             <source>{count} files were changed since the record stored them, the first is {first}; restore them from a backup.</source>
             <translation>{count} filer har ändrats sedan journalen sparade dem, den första är {first}; återställ dem från en säkerhetskopia.</translation>
         </message>
         <message>
+            <source>{count} files were lost before it was made, and are not in it.</source>
+            <translation>{count} filer hade förlorats innan den gjordes och finns inte i den.</translation>
+        </message>
+        <message>
+            <source>{count} job sheets</source>
+            <translation>{count} arbetsblad</translation>
+        </message>
+        <message>
+            <source>{count} lines</source>
+            <translation>{count} rader</translation>
+        </message>
+        <message>
             <source>{count} of {taken} {kind} pictures were used; a corner is met within {rms_px:.2f} px.</source>
             <translation>{count} av {taken} bilder ({kind}) användes; ett hörn träffas inom {rms_px:.2f} px.</translation>
+        </message>
+        <message>
+            <source>{count} patients were erased after the backup, and now again.</source>
+            <translation>{count} patienter raderades efter säkerhetskopian och nu igen.</translation>
         </message>
         <message>
             <source>{count} photos, which show the patient</source>
@@ -8830,6 +8978,10 @@
         <message>
             <source>{count} points were left out that lie close beside others.</source>
             <translation>{count} punkter som ligger tätt intill andra utelämnades.</translation>
+        </message>
+        <message>
+            <source>{count} rows</source>
+            <translation>{count} rader</translation>
         </message>
         <message>
             <source>{count} rows of {kind} are gone that the audit log knows, the first is {first}; compare the record with a backup.</source>
@@ -8850,6 +9002,10 @@
         <message>
             <source>{count} sensors were named, but at most {most} work.</source>
             <translation>{count} sensorer angavs, men högst {most} fungerar.</translation>
+        </message>
+        <message>
+            <source>{count} signatures</source>
+            <translation>{count} signaturer</translation>
         </message>
         <message>
             <source>{count} signed prescriptions are gone, the first is {first}; compare the record with a backup.</source>

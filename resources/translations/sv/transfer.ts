@@ -159,9 +159,5 @@
             <source>{name}: visits, prescriptions, insoles (STL), scans and orders as a folder that opens without this program.</source>
             <translation>{name}: besök, ordinationer, inlägg (STL), skanningar och beställningar som en mapp som går att öppna utan detta program.</translation>
         </message>
-        <message>
-            <source>{rows} rows, {encoding}, {delimiter}</source>
-            <translation>{rows} rader, {encoding}, {delimiter}</translation>
-        </message>
     </context>
 </TS>

@@ -178,7 +178,7 @@ def test_photos_are_exported_with_their_marks_but_never_under_a_pseudonym(
     summary = (done.folder / "summary.html").read_text("utf-8")
     if is_pseudonymous:
         assert photos == content["visits"][0]["photos"] == []
-        assert "1 photos" in str(done.left_out[0])
+        assert "1 photo, which shows the patient" in str(done.left_out[0])
         assert "sore" not in summary
         return
     place = f"visits/{TODAY.isoformat()}/photos"

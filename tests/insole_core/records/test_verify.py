@@ -62,11 +62,11 @@ def test_everything_that_is_wrong_is_named(context: RecordsContext) -> None:
         connection.execute(text("UPDATE prescription_versions SET document = 'x'"))
     first, *others = verify_record(context).problems()
     assert "Line 2 of the audit log" in first
-    assert [sentence.split(",")[0] for sentence in others] == [
-        "1 signed prescriptions are not what was signed",
-        "1 files were changed since the record stored them",
-        "1 files of the record are missing",
-        "1 rows of prescription are not what the audit log says was stored",
+    assert [sentence.split(":")[0] for sentence in others] == [
+        "One signed prescription is not what was signed",
+        "One file was changed since the record stored it",
+        "One file of the record is missing",
+        "One row of prescription is not what the audit log says was stored",
     ]
     assert digests[0][:12] in others[1]
 
@@ -90,18 +90,18 @@ def set_up(stations: Stations) -> Records:
 
 
 BEHIND_THE_BACK = (
-    ("1 rows of account are not what", "UPDATE accounts SET role = 'technician'"),
-    ("1 rows of account are not what", "UPDATE accounts SET password_hash = 'mine'"),
-    ("1 rows of person are not what", "UPDATE persons SET name = 'Ida' WHERE notes = 'shy'"),
-    ("1 rows of clinic are not what", "UPDATE clinic SET value = '1' WHERE key = 'name'"),
-    ("1 rows of visit are not what", "UPDATE visits SET findings = 'none' WHERE findings <> ''"),
-    ("1 rows of follow up are gone", "DELETE FROM follow_ups"),
-    ("1 rows of account are in no line",
+    ("One row of account is not what", "UPDATE accounts SET role = 'technician'"),
+    ("One row of account is not what", "UPDATE accounts SET password_hash = 'mine'"),
+    ("One row of person is not what", "UPDATE persons SET name = 'Ida' WHERE notes = 'shy'"),
+    ("One row of clinic is not what", "UPDATE clinic SET value = '1' WHERE key = 'name'"),
+    ("One row of visit is not what", "UPDATE visits SET findings = 'none' WHERE findings <> ''"),
+    ("One row of follow up is gone", "DELETE FROM follow_ups"),
+    ("One row of account is in no line",
      "INSERT INTO accounts (id, name, full_name, role, password_hash, changed_at) "
      "VALUES ('x', 'x', 'x', 'administrator', 'x', 'x')"),
-    ("1 rows of clinic are not what", "UPDATE clinic SET value = 'mine' WHERE key = 'backup_key'"),
-    ("1 rows of clinic are gone", "DELETE FROM clinic WHERE key = 'backup_key'"),
-    ("1 rows of clinic are in no line", "INSERT INTO clinic VALUES ('retention_years', '1')"),
+    ("One row of clinic is not what", "UPDATE clinic SET value = 'mine' WHERE key = 'backup_key'"),
+    ("One row of clinic is gone", "DELETE FROM clinic WHERE key = 'backup_key'"),
+    ("One row of clinic is in no line", "INSERT INTO clinic VALUES ('retention_years', '1')"),
     ("Accounts are off, although nobody", "DELETE FROM clinic WHERE key = 'accounts_on'"),
 )  # fmt: skip
 
@@ -227,7 +227,7 @@ def test_rows_that_refer_to_nothing_are_counted(context: RecordsContext) -> None
         without_checks.commit()
     report = verify_record(context)
     assert report.references == {"captures": 1, "orders": 1, "prescription_versions": 1}
-    assert "1 rows of captures refer to something that is not there" in str(report.problems())
+    assert "One row of captures refers to something that is not there" in str(report.problems())
 
 
 def test_a_damaged_database_is_told(context: RecordsContext) -> None:

@@ -436,6 +436,7 @@ def test_the_command_writes_and_verifies(
     assert run(["order", "verify", str(out)]) == 0
     told = capsys.readouterr()
     assert "Order A7" in told.out
+    assert ": 1 patient, 3 pieces or pairs, " in told.out
     assert "all that order.json says" in told.out.splitlines()[-1]
     nested = ["order", "nest", str(out), "--out", str(tmp_path / "n.3mf"), "--size", "500x300x40"]
     assert run(nested) == 0
@@ -447,7 +448,7 @@ def test_the_command_writes_and_verifies(
     assert run(["order", "verify", str(out)]) == 1
     told = capsys.readouterr()
     assert "P-17-left.stl has been changed" in told.out
-    assert "1 problems" in told.err.splitlines()[-1]
+    assert "1 problem, listed" in told.err.splitlines()[-1]
     for name in ("out.zip", "out"):
         assert run(["order", "verify", str(tmp_path / "nothing" / name)]) == 1
         assert "check the name" in capsys.readouterr().err

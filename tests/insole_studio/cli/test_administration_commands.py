@@ -140,7 +140,7 @@ def test_a_person_is_erased_once_that_is_confirmed(
 ) -> None:
     assert command("erase", "A-1") == 2
     told = capsys.readouterr()
-    assert "A-1: 1 visits" in told.out
+    assert "A-1: 1 visit, " in told.out
     assert "Nothing was erased" in told.err
     assert {person.name for person in records.persons.recent()} == {"Anna Berg", "Ben Ek"}
     assert command("erase", "A-1", "--yes") == 0
@@ -158,7 +158,7 @@ def test_those_whose_time_is_over_are_listed_and_erased(
         for table, column in (("persons", "created_at"), ("visits", "visited_on")):
             connection.exec_driver_sql(f"UPDATE {table} SET {column} = '1990-01-01'")
     assert command("retention") == 0
-    assert "A-1\tkept until 2005-01-01\t1 visits\t0 orders" in capsys.readouterr().out
+    assert "A-1\tkept until 2005-01-01\t1 visit\t0 orders" in capsys.readouterr().out
     assert command("erase", "A-1", "--reason", "retention", "--yes") == 0
     assert "everything but the pseudonym" in capsys.readouterr().out
     assert command("retention") == 0

@@ -105,7 +105,7 @@ def test_what_is_wrong_is_the_last_line_and_the_exit_code(
     file = next(path for path in (record / "contents").rglob("*") if len(path.name) == 64)
     file.write_bytes(b"changed on the disk")
     assert run(["records", "verify"]) == 1
-    assert "1 files were changed since" in capsys.readouterr().err.splitlines()[-1]
+    assert "One file was changed since" in capsys.readouterr().err.splitlines()[-1]
 
 
 @pytest.mark.parametrize(

@@ -93,7 +93,7 @@ def test_commands_and_backups_are_of_the_record_that_the_window_opens(
     assert run(["records", "migrate"]) == 0
     assert "localhost/records has schema" in capsys.readouterr().err
     assert back_up(tmp_path / "backups") == 0
-    assert "snapshot 1 of localhost/records: 1 patients, 0 visits" in capsys.readouterr().out
+    assert "snapshot 1 of localhost/records: 1 patient, 0 visits" in capsys.readouterr().out
 
 
 def test_a_backup_without_patients_fails_while_the_window_has_some(
@@ -149,7 +149,7 @@ def test_scheduled_backups_are_made_by_an_account_that_may_do_nothing_else(
     account = ["--account", "night", "--password-file", str(password)]
     capsys.readouterr()
     assert run(["records", "backup", str(folder), *account]) == 0
-    assert "snapshot 2 of localhost/records: 1 patients" in capsys.readouterr().out
+    assert "snapshot 2 of localhost/records: 1 patient, " in capsys.readouterr().out
     for command in (["list"], ["show", "A-1"], ["export", "A-1", "--out", str(tmp_path / "out")]):
         assert run(["records", *command, *account]) == 1
         told = capsys.readouterr()

@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from insole_core.errors import RecordsError
+from insole_core.messages import counted
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import day, whole
 from insole_studio.cli.records.arguments import add_place, opened, print_rows
@@ -55,7 +56,8 @@ def _verify(records: Records, progress: Progress) -> None:
     report = verify_audit(records.context, progress)
     if report.problem is not None:
         raise RecordsError("{problem}", problem=report.problem)
-    print(f"{report.lines} lines are what was written, and none is missing")
+    lines = counted(report.lines, "1 line is", "{count} lines are")
+    print(f"{lines} what was written, and none is missing")
 
 
 def _print(records: Records, arguments: argparse.Namespace) -> None:

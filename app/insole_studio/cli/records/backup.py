@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
 from insole_core.errors import InsoleError, NotAllowed, RecordsError, UsageError
-from insole_core.messages import joined
+from insole_core.messages import counted, joined
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import Step, whole
@@ -75,10 +75,13 @@ def _run_backup(arguments: argparse.Namespace, progress: Progress) -> None:
         saved = UserPaths.of_user().backed_up_folders
         report = back_up(records.context, arguments.folder, saved, progress)
     print(
-        f"snapshot {report.snapshot.number} of {report.place}: {report.patients} patients, "
-        f"{report.visits} visits, {report.orders} orders; {report.rows} rows, {report.contents} "
-        f"files ({report.contents_bytes / 1e6:.1f} MB); {report.written_bytes / 1e6:.1f} MB were "
-        "new"
+        f"snapshot {report.snapshot.number} of {report.place}: "
+        f"{counted(report.patients, '1 patient', '{count} patients')}, "
+        f"{counted(report.visits, '1 visit', '{count} visits')}, "
+        f"{counted(report.orders, '1 order', '{count} orders')}; "
+        f"{counted(report.rows, '1 row', '{count} rows')}, "
+        f"{counted(report.contents, '1 file', '{count} files')} "
+        f"({report.contents_bytes / 1e6:.1f} MB); {report.written_bytes / 1e6:.1f} MB were new"
     )
     for sha256 in report.damaged:
         print(f"not in the backup, because the record has lost it: {sha256}")
@@ -267,13 +270,20 @@ def _run_restore(arguments: argparse.Namespace, progress: Progress) -> None:
     )
     print(
         f"snapshot {report.snapshot.number} of {report.snapshot.made_at:%Y-%m-%d %H:%M} UTC: "
-        f"{report.rows} rows, {report.contents} files ({report.contents_bytes / 1e6:.1f} MB), "
-        f"{report.files} settings; {report.kept_files} settings were there and stay"
+        f"{counted(report.rows, '1 row', '{count} rows')}, "
+        f"{counted(report.contents, '1 file', '{count} files')} "
+        f"({report.contents_bytes / 1e6:.1f} MB), "
+        f"{counted(report.files, '1 setting', '{count} settings')}; "
+        f"{counted(report.kept_files, '1 setting was', '{count} settings were')} there and "
+        f"{'stays' if report.kept_files == 1 else 'stay'}"
     )
     if report.set_aside is not None:
         print(visible_line(f"the record before is kept as {report.set_aside}"))
     if report.erased_again:
-        print(f"erased since the backup, and again now: {report.erased_again} persons")
+        print(
+            f"erased since the backup, and again now: "
+            f"{counted(report.erased_again, '1 person', '{count} persons')}"
+        )
     if report.is_erasure_unknown:
         print("the record before cannot be read: who was erased since the backup may be back")
     for sha256 in report.left_out:

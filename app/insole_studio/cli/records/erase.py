@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import argparse
 from datetime import date
+from typing import TYPE_CHECKING
 
 from insole_core.errors import UsageError
+from insole_core.messages import counted
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import Step, whole
 from insole_studio.cli.records.arguments import add_place, opened
+
+if TYPE_CHECKING:
+    from insole_core.records.retention import Erasable
 
 
 def _add_erase_arguments(parser: argparse.ArgumentParser) -> None:
@@ -36,7 +41,7 @@ def _run_erase(arguments: argparse.Namespace, progress: Progress) -> None:
     today, leftovers = date.today(), ErasedLeftovers(UserPaths.of_user())
     with opened(arguments, Right.ERASE) as records:
         found = find_erasable(records.context, arguments.pseudonym)
-        print(f"{found.pseudonym}: {found.visits} visits, {found.orders} orders")
+        print(f"{found.pseudonym}: {_visits(found)}, {_orders(found)}")
         if found.kept_until > today:
             print(
                 "erased: name, birth date, numbers, contact, notes; kept under the pseudonym until "
@@ -92,9 +97,17 @@ def _run_retention(arguments: argparse.Namespace, _progress: Progress) -> None:
         print(f"kept for {years} years after the last entry")
         for found in over_retention_named(records.context, date.today(), arguments.limit):
             print(
-                f"{found.pseudonym}\tkept until {found.kept_until}\t{found.visits} visits\t"
-                f"{found.orders} orders"
+                f"{found.pseudonym}\tkept until {found.kept_until}\t{_visits(found)}\t"
+                f"{_orders(found)}"
             )
+
+
+def _visits(found: Erasable) -> str:
+    return counted(found.visits, "1 visit", "{count} visits")
+
+
+def _orders(found: Erasable) -> str:
+    return counted(found.orders, "1 order", "{count} orders")
 
 
 RETENTION = Step(

@@ -9,6 +9,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from insole_core.errors import InputError
+from insole_core.messages import counted
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import Step
 from insole_studio.cli.path_arguments import OutputPath
@@ -55,9 +56,8 @@ def _run_export(arguments: argparse.Namespace, progress: Progress) -> None:
         )
     for sentence in export.left_out:
         print(f"Not exported: {sentence}", file=sys.stderr)
-    progress.step(
-        1.0, "Done: {count} files in {folder}", count=len(export.files), folder=export.folder
-    )
+    files = counted(len(export.files), "1 file", "{count} files")
+    progress.step(1.0, "Done: {files} in {folder}", files=files, folder=export.folder)
 
 
 EXPORT = Step(

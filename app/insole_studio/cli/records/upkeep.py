@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from insole_core.errors import RecordsError
+from insole_core.messages import counted
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import Step
 from insole_studio.cli.records.arguments import add_place, opened, place_of
@@ -42,7 +43,7 @@ def _run_verify(arguments: argparse.Namespace, progress: Progress) -> None:
     print(report.compared())
     print(
         f"{report.contents.checked_bytes / 1e6:.1f} MB of files; "
-        f"{len(report.contents.unused)} files are not in use"
+        f"{counted(len(report.contents.unused), '1 file is', '{count} files are')} not in use"
     )
     for path in report.contents.foreign:
         print(f"not part of the record: {path}")
@@ -61,7 +62,9 @@ def _check(arguments: argparse.Namespace, progress: Progress) -> tuple[dict[int,
     report: CheckReport = check_backup(arguments.backup, secret, progress=progress)
     print(
         f"backup {report.snapshot.number} of {report.snapshot.made_at:%Y-%m-%d %H:%M} UTC: "
-        f"{report.rows} rows, {report.contents} files ({report.contents_bytes / 1e6:.1f} MB)"
+        f"{counted(report.rows, '1 row', '{count} rows')}, "
+        f"{counted(report.contents, '1 file', '{count} files')} "
+        f"({report.contents_bytes / 1e6:.1f} MB)"
     )
     wrong = [f"The backup is damaged: {name}; use another copy." for name in report.damaged]
     return {manifest.audit_seq: manifest.audit_hash}, wrong

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidg
 from insole_core.cases.days import read_day
 from insole_core.errors import InputError
 from insole_core.geometry.side import Side
+from insole_core.messages import counted
 from insole_core.records.author import Role
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
@@ -209,8 +210,12 @@ class AuditDialog(VerifyingDialog):
         if report.problem is not None:
             self.say(report.problem, warns=True)
         else:
-            sentence = tr("All {lines} lines are what was written, and none is missing.")
-            self.say(sentence.format(lines=report.lines))
+            sentence = counted(
+                report.lines,
+                "The one line is what was written, and none is missing.",
+                "All {count} lines are what was written, and none is missing.",
+            )
+            self.say(sentence)
 
 
 def _authors(records: Records) -> list[str]:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.errors import InputError, InsoleError
-from insole_core.messages import Message
+from insole_core.messages import Message, counted
 from insole_core.progress import Progress
 from insole_studio.jobs import Jobs
 from insole_studio.services.app_services import AppServices
@@ -343,13 +343,13 @@ def report_text(report: BackupReport) -> str:
     """Say what a backup has written; all of it was read again."""
     sentence = fill(
         tr(
-            "Backup {number} is made: patients {patients}, {rows} entries and {files} files, "
-            "{new_mb:.1f} MB of them new. All that was written has been read again and is right."
+            "Backup {number} is made: patients {patients}, {rows} and {files}, {new_mb:.1f} MB of "
+            "them new. All that was written has been read again and is right."
         ),
         number=report.snapshot.number,
         patients=report.patients,
-        rows=report.rows,
-        files=report.contents,
+        rows=entries_text(report.rows),
+        files=files_text(report.contents),
         new_mb=report.written_bytes / MEGABYTE,
     )
     if report.removed_snapshots:
@@ -360,11 +360,25 @@ def report_text(report: BackupReport) -> str:
 
 def damaged_text(report: BackupReport) -> str:
     """Say that the record itself has lost files."""
-    sentence = tr(
-        "{count} files are missing or damaged in the record and are not in the backup; verify the "
-        "record, and restore them from an earlier backup."
+    return translate_core_message(
+        counted(
+            len(report.damaged),
+            "One file is missing or damaged in the record and is not in the backup; verify the "
+            "record, and restore it from an earlier backup.",
+            "{count} files are missing or damaged in the record and are not in the backup; verify "
+            "the record, and restore them from an earlier backup.",
+        )
     )
-    return sentence.format(count=len(report.damaged))
+
+
+def entries_text(count: int) -> str:
+    """Return how many rows of the record there are, as a user calls them."""
+    return translate_core_message(counted(count, "1 entry", "{count} entries"))
+
+
+def files_text(count: int) -> str:
+    """Return how many files there are."""
+    return translate_core_message(counted(count, "1 file", "{count} files"))
 
 
 def _check_there(folder: Path) -> None:

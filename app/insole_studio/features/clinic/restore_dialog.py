@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit
 
+from insole_core.messages import counted
 from insole_core.progress import Progress
 from insole_studio.document.record_location import RecordLocation, settings_for
-from insole_studio.features.clinic.backups import Backups
+from insole_studio.features.clinic.backups import Backups, entries_text, files_text
 from insole_studio.features.clinic.record_dialog import RecordDialog, secret_line
 from insole_studio.jobs import JobProgress, Result, Task
 from insole_studio.services.app_services import AppServices
@@ -226,11 +227,7 @@ class RestoreDialog(RecordDialog):
             )
         ]
         if manifest.damaged:
-            lines.append(
-                tr("{count} files were lost before it was made, and are not in it.").format(
-                    count=len(manifest.damaged)
-                )
-            )
+            lines.append(_lost_text(len(manifest.damaged)))
         self.contents.say_all(lines)
         self.make_room()
         self._is_opened = True
@@ -299,20 +296,19 @@ def restored_lines(report: RestoreReport) -> list[str]:
     """Say what was restored, and what is to be known of it."""
     made = moment_text(report.snapshot.made_at)
     lines = [
-        tr("The record is as it was on {moment}: {rows} entries and {files} files.").format(
-            moment=made, rows=report.rows, files=report.contents
+        tr("The record is as it was on {moment}: {rows} and {files}.").format(
+            moment=made, rows=entries_text(report.rows), files=files_text(report.contents)
         )
     ]
     if report.set_aside is not None:
         lines.append(tr("The record before is kept as {path}.").format(path=report.set_aside))
-    if report.erased_again == 1:
-        lines.append(tr("One patient was erased after the backup, and now again."))
-    elif report.erased_again:
-        lines.append(
-            tr("{count} patients were erased after the backup, and now again.").format(
-                count=report.erased_again
-            )
+    if report.erased_again:
+        erased = counted(
+            report.erased_again,
+            "One patient was erased after the backup, and now again.",
+            "{count} patients were erased after the backup, and now again.",
         )
+        lines.append(translate_core_message(erased))
     if report.is_erasure_unknown:
         lines.append(
             tr(
@@ -321,20 +317,27 @@ def restored_lines(report: RestoreReport) -> list[str]:
             )
         )
     if report.left_out:
-        lines.append(
-            tr("{count} files were lost before it was made, and are not in it.").format(
-                count=len(report.left_out)
-            )
-        )
+        lines.append(_lost_text(len(report.left_out)))
     if report.kept_files:
-        lines.append(
-            tr("{count} files of the settings were there already, and stay.").format(
-                count=report.kept_files
-            )
+        kept = counted(
+            report.kept_files,
+            "One file of the settings was there already, and stays.",
+            "{count} files of the settings were there already, and stay.",
         )
+        lines.append(translate_core_message(kept))
     if report.audit.problem is not None:
         lines.append(translate_core_message(report.audit.problem))
     return lines
+
+
+def _lost_text(count: int) -> str:
+    return translate_core_message(
+        counted(
+            count,
+            "One file was lost before it was made, and is not in it.",
+            "{count} files were lost before it was made, and are not in it.",
+        )
+    )
 
 
 def _snapshots(folder: Path) -> list[SnapshotName]:

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from insole_core.cases.written_dates import DateOrder
+from insole_core.messages import counted
 from insole_core.records.person import Person
 from insole_core.records.person_import import Outcome
 from insole_core.records.person_table import IMPORTED, ColumnMapping
@@ -277,9 +278,8 @@ def _reading(table: TextTable) -> str:
     delimiters = {",": tr("comma"), ";": tr("semicolon"), "\t": tr("tab")}
     delimiter = delimiters.get(table.delimiter, table.delimiter)
     encoding = _ENCODINGS.get(table.encoding, table.encoding.upper())
-    return tr("{rows} rows, {encoding}, {delimiter}").format(
-        rows=len(table.rows), encoding=encoding, delimiter=delimiter
-    )
+    rows = translate_core_message(counted(len(table.rows), "1 row", "{count} rows"))
+    return ", ".join((rows, encoding, delimiter))
 
 
 def _example(table: TextTable, number: int) -> str:

@@ -542,7 +542,7 @@ def test_verifying_tells_that_all_is_sound_and_names_what_is_not(
     dialog = run("verify_record", VerifyDialog)
     assert isinstance(dialog, VerifyDialog)
     assert "Everything is what was stored" in dialog.verdict.text()
-    assert "1 lines of the audit log" in dialog.verdict.text()
+    assert "1 line of the audit log" in dialog.verdict.text()
     with records.context.database.writing() as connection:
         connection.exec_driver_sql("UPDATE audit_head SET seq = 7")
     dialog.again.click()

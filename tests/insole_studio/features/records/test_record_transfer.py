@@ -92,7 +92,7 @@ def test_names_of_an_unclear_character_set_are_chosen_by_reading_them(
     rest()
     dialog = _dialog(clinic, TableImportDialog)
     assert dialog.table.rows[0].cells[2] == "Ayşe Şahin"
-    assert dialog.reading.text() == "1 rows, Windows-1254, semicolon"
+    assert dialog.reading.text() == "1 row, Windows-1254, semicolon"
 
 
 def test_a_column_that_is_no_name_is_told_until_one_is_chosen(rest, tmp_path, open_table):
