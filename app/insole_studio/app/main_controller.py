@@ -20,7 +20,7 @@ from insole_studio.document.hand_over import HandOver
 from insole_studio.document.record_keeper import KeepState
 from insole_studio.features.clinic.actions import OF_ACCOUNTS
 from insole_studio.features.clinic.record_dialog import RecordDialog
-from insole_studio.features.records.actions import OF_PERSON
+from insole_studio.features.records.actions import ADDING, OF_PERSON
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.text_fields import commit_typed_text
@@ -344,12 +344,16 @@ class MainController(QObject):
             if record.needs_both:
                 window.show_action(record.key, on_panels and len(case.record.feet) == 2)
         is_file = not self._services.keeper.is_keeping and not case.is_empty
-        window.show_action("add_to_record", on_panels and is_file)
+        why_not = self._services.clinic.why_not_change
+        window.allow_action("add_to_record", on_panels and is_file, why_not)
         for key in OF_PERSON:
             window.show_action(key, self._is_on_person)
-        why_not = self._features.records.why_not_same if self._is_on_person else ""
-        window.show_action("new_visit_same", self._is_on_person and not why_not)
-        window.explain_action("new_visit_same", why_not)
+        for key in ("new_visit", "follow_up"):
+            window.allow_action(key, self._is_on_person, why_not)
+        why_not_same = self._features.records.why_not_same
+        window.allow_action("new_visit_same", self._is_on_person, why_not_same)
+        for key in ADDING:
+            window.allow_action(key, True, self._services.clinic.why_read_only)
         for key in SCANNING:  # else the foot would be nobody's
             window.show_action(key, not self._is_on_person_alone)
         window.show_action("remove", on_panels and case.selection is not None)

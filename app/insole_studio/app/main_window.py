@@ -210,8 +210,16 @@ class MainWindow(QMainWindow):
         if text is not None:
             action.setText(text)
 
-    def explain_action(self, key: str, why_not: str) -> None:
-        """Let an action say why it is disabled; with an empty sentence, what it does."""
+    def allow_action(self, key: str, has_sense: bool, why_not: str) -> None:
+        """Enable an action where it has a sense, or let it say there why it is not enabled.
+
+        Parameters
+        ----------
+        why_not
+            An empty sentence enables it; it then says what it does.
+        """
+        self.show_action(key, has_sense and not why_not)
+        why_not = why_not if has_sense else ""
         record, action = next(r for r in self._records if r.key == key), self.actions_by_key[key]
         action.setToolTip(why_not or _tip(record))
         action.setStatusTip(why_not or record.tip())

@@ -15,6 +15,7 @@ from insole_core.progress import Progress
 from insole_core.records.author import Author
 from insole_studio.document.record_location import RecordLocation
 from insole_studio.jobs import Jobs
+from insole_studio.texts import tr
 
 if TYPE_CHECKING:
     from insole_core.messages import Message
@@ -139,6 +140,16 @@ class ClinicRecord(QObject):
     def is_writable(self) -> bool:
         """Whether the record can be asked, and changed."""
         return self.is_open and not self.is_read_only
+
+    @property
+    def why_not_change(self) -> str:
+        """Why nothing can be changed, for what is grey then; empty where it can."""
+        return "" if self.is_writable else tr("Nothing can be changed in the record at the moment.")
+
+    @property
+    def why_read_only(self) -> str:
+        """The same of a record that is open and cannot be changed, as a damaged one."""
+        return self.why_not_change if self.is_read_only else ""
 
     @property
     def problem(self) -> Message | None:

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 OF_PERSON = ("new_visit", "new_visit_same", "follow_up", "person_orders")
 """Actions on the person whose page is shown."""
+ADDING = ("new_patient", "import_table", "import_cases")
+"""Actions that add patients, wherever they are asked for."""
 
 RECORD_ACTIONS: tuple[ActionRecord[PatientRecords], ...] = (
     ActionRecord(

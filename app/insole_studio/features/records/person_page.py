@@ -39,13 +39,6 @@ FIELDS_PX = 320
 PERSON = typed_fields(Person)
 
 
-def why_not_same(*, is_writable: bool, is_prescribed: bool) -> str:
-    """Return why no new visit can take the last prescription; empty where one can."""
-    if not is_writable:
-        return tr("Nothing can be changed in the record at the moment.")
-    return "" if is_prescribed else tr("Nothing was prescribed on an earlier visit.")
-
-
 class PersonPage(QWidget):
     """A person and their visits."""
 
@@ -153,12 +146,12 @@ class PersonPage(QWidget):
         self.chart.show_trends(trends)
         self.chart.setVisible(bool(trends))
 
-    def show_editable(self, editable: bool) -> None:
-        """Show whether fields can be changed and visits added."""
-        self._is_editable = editable
+    def show_why_not_change(self, why_not: str) -> None:
+        """Show why no field can be changed and no visit added; empty where they can."""
+        self._is_editable = not why_not
         self._allow_typing()
         for key in ("new_visit", "follow_up"):
-            self._buttons[key].setEnabled(editable)
+            allow(self._buttons[key], why_not)
 
     def show_why_not_same(self, why_not: str) -> None:
         """Show why no new visit can take the last prescription; empty where one can."""

@@ -28,7 +28,7 @@ from insole_core.records.visit import CaptureState, Visit
 from insole_core.records.visit_measures import stored_measures
 from insole_core.workflows.starting_design import starting_device
 from insole_studio.document.clinic_record import ClinicRecord
-from insole_studio.features.records.person_page import PERSON, PersonPage, why_not_same
+from insole_studio.features.records.person_page import PERSON, PersonPage
 from insole_studio.features.records.record_form import label_of, shown_texts
 from insole_studio.features.records.rows import (
     FootLine,
@@ -147,8 +147,9 @@ class PersonPresenter:
     @property
     def why_not_same(self) -> str:
         """Why no new visit of the person can take the last prescription; empty where one can."""
-        is_writable = self._clinic.is_writable
-        return why_not_same(is_writable=is_writable, is_prescribed=self._is_prescribed)
+        if why_not := self._clinic.why_not_change:
+            return why_not
+        return "" if self._is_prescribed else tr("Nothing was prescribed on an earlier visit.")
 
     def open(self, person_id: str) -> None:
         """Show a person; the audit log tells that somebody looked."""
@@ -293,7 +294,7 @@ class PersonPresenter:
         self._pictures.want([version for shown in pictured for version in shown.newest])
 
     def _show_state(self) -> None:
-        self._page.show_editable(self._clinic.is_writable)
+        self._page.show_why_not_change(self._clinic.why_not_change)
         self._page.show_why_not_same(self.why_not_same)
 
     def _show_fields(self) -> None:

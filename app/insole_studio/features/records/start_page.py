@@ -21,6 +21,7 @@ from insole_studio.features.records.rows import visit_headings
 from insole_studio.services.person_list import person_headings
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
+from insole_studio.widgets.form_parts import allow
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.layouts import FlowRow, keep_room
 from insole_studio.widgets.message_label import MessageLabel
@@ -134,10 +135,13 @@ class StartPage(QWidget):
         for part in (self.reminder, self.back_up, self.put_off):
             part.setVisible(bool(sentence))
 
-    def show_usable(self, usable: bool, *, changeable: bool) -> None:
-        """Show whether patients can be looked for and added; files can always be opened."""
+    def show_usable(self, usable: bool, *, why_not_add: str) -> None:
+        """Show whether patients can be looked for, and why none can be added, if so.
+
+        Files can always be opened.
+        """
         self._of_record.setEnabled(usable)
-        self.new_patient.setEnabled(changeable)
+        allow(self.new_patient, why_not_add)
 
     def show_recent_files(self, files: Sequence[tuple[str, str]]) -> None:
         """Offer the files opened last, each as path and name."""

@@ -81,7 +81,7 @@ class StartPresenter:
         is_usable = state in (RecordState.OPEN, RecordState.AWAY)
         self._page.show_usable(
             is_usable and self._clinic.may_show_patients,
-            changeable=not self._clinic.is_read_only,
+            why_not_add=self._clinic.why_read_only,
         )
         warns = bool(self._clinic.trouble) or self._clinic.problem is not None
         self._page.show_message(self._sentences(state), _remedies(self._clinic), warns=warns)

@@ -96,6 +96,11 @@ def test_a_damaged_record_with_accounts_is_read_after_signing_in(
     assert "is damaged" in page.message.text()
     assert page.remedies["restore_record"].isVisible()
     assert not page.new_patient.isEnabled()
+    actions = backed_up.window.actions_by_key
+    keys = ("new_patient", "import_table", "import_cases")
+    for part in (page.new_patient, *(actions[key] for key in keys)):
+        assert not part.isEnabled()
+        assert part.toolTip() == "Nothing can be changed in the record at the moment."
 
 
 def test_a_damaged_record_with_accounts_is_restored_before_signing_in(

@@ -440,6 +440,24 @@ def test_a_new_visit_with_the_same_prescription_fits_it_to_the_new_scan(
     )
 
 
+def test_what_adds_to_a_patient_says_why_it_is_grey_while_the_record_is_away(
+    clinic: Application, page: PersonPage, qtbot: QtBot
+) -> None:
+    keys = ("new_visit", "follow_up")
+    parts = [page._buttons[key] for key in keys]
+    actions = [clinic.window.actions_by_key[key] for key in keys]
+    told = "Nothing can be changed in the record at the moment."
+    clinic.services.clinic.note_failure(Unreachable("The database does not answer."))
+    assert not any(part.isEnabled() for part in (*parts, *actions))
+    assert {part.toolTip() for part in (*parts, *actions)} == {told}
+    assert {part.accessibleDescription() for part in parts} == {told}
+    assert {action.statusTip() for action in actions} == {told}
+    assert page._buttons["person_orders"].isEnabled()
+    qtbot.waitUntil(parts[0].isEnabled)
+    assert all(part.isEnabled() for part in (*parts, *actions))
+    assert told not in {part.toolTip() for part in (*parts, *actions)}
+
+
 def test_the_same_prescription_is_offered_where_there_is_one(
     page: PersonPage,
     clinic: Application,
