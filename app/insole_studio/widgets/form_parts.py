@@ -8,7 +8,6 @@ from html import escape
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import (
-    QAbstractButton,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -35,11 +34,17 @@ def mark_labels(form: QFormLayout) -> None:
             label.setProperty("form", True)
 
 
-def allow(button: QAbstractButton, why_not: str) -> None:
-    """Enable a button, or let it say why it is not; an empty sentence enables it."""
-    button.setEnabled(not why_not)
-    button.setToolTip(why_not)
-    button.setAccessibleDescription(why_not)
+def allow(part: QWidget, why_not: str, tip: str = "") -> None:
+    """Enable a button or a field, or let it say why it is not; an empty sentence enables it.
+
+    Parameters
+    ----------
+    tip
+        What it says otherwise.
+    """
+    part.setEnabled(not why_not)
+    part.setToolTip(why_not or tip)
+    part.setAccessibleDescription(why_not)
 
 
 @dataclass(frozen=True)

@@ -80,6 +80,10 @@
             <translation>Inre hörn</translation>
         </message>
         <message>
+            <source>It is still working; wait a moment.</source>
+            <translation>Arbetet pågår; vänta ett ögonblick.</translation>
+        </message>
+        <message>
             <source>Keeping the picture</source>
             <translation>Sparar bilden</translation>
         </message>
@@ -104,12 +108,24 @@
             <translation>Härnäst: {step}.</translation>
         </message>
         <message>
+            <source>No pattern is kept to compare it with.</source>
+            <translation>Det finns inget sparat mönster att jämföra med.</translation>
+        </message>
+        <message>
             <source>No picture yet: start the live picture, or choose a folder.</source>
             <translation>Ingen bild ännu: starta direktbilden, eller välj en mapp.</translation>
         </message>
         <message>
+            <source>None of the pictures can be used yet.</source>
+            <translation>Ingen av bilderna går att använda än.</translation>
+        </message>
+        <message>
             <source>Nothing is missing: calibrate.</source>
             <translation>Ingenting saknas: kalibrera.</translation>
+        </message>
+        <message>
+            <source>Nothing was saved that can be undone.</source>
+            <translation>Inget har sparats som kan ångras.</translation>
         </message>
         <message>
             <source>Paper</source>
@@ -222,6 +238,14 @@
         <message>
             <source>The sensor is calibrated.</source>
             <translation>Sensorn är kalibrerad.</translation>
+        </message>
+        <message>
+            <source>The sensor is not plugged in.</source>
+            <translation>Sensorn är inte ansluten.</translation>
+        </message>
+        <message>
+            <source>There is no result to save yet.</source>
+            <translation>Det finns inget resultat att spara än.</translation>
         </message>
         <message>
             <source>Turn the board strongly, by 40 to 55°, in turn to the left, to the right, upwards and downwards, 600 to 900 mm away and in all parts of the picture: 12 positions to each side in colour and depth, or 4 to each side in colour and infrared (emitter covered).</source>

@@ -168,12 +168,28 @@
             <translation>Välj först en mapp och en av dess säkerhetskopior.</translation>
         </message>
         <message>
+            <source>Choose an account first.</source>
+            <translation>Välj ett konto först.</translation>
+        </message>
+        <message>
             <source>Choose another password for the account that has signed in</source>
             <translation>Välj ett annat lösenord för det inloggade kontot</translation>
         </message>
         <message>
+            <source>Choose in the list what is to be undone first.</source>
+            <translation>Välj först i listan vad som ska ångras.</translation>
+        </message>
+        <message>
             <source>Choose the folder of the backups first.</source>
             <translation>Välj först mappen för säkerhetskopiorna.</translation>
+        </message>
+        <message>
+            <source>Choose the reason first.</source>
+            <translation>Välj orsaken först.</translation>
+        </message>
+        <message>
+            <source>Choose two patients first.</source>
+            <translation>Välj två patienter först.</translation>
         </message>
         <message>
             <source>Choose why</source>
@@ -290,6 +306,10 @@
         <message>
             <source>Full name</source>
             <translation>Fullständigt namn</translation>
+        </message>
+        <message>
+            <source>Give the pseudonym of the patient first.</source>
+            <translation>Ange patientens pseudonym först.</translation>
         </message>
         <message>
             <source>Hide the window until somebody signs in; the open case stays</source>
@@ -650,6 +670,10 @@
         <message>
             <source>These may be the same person. Two others are found by typing their names below.</source>
             <translation>De här kan vara samma person. Två andra hittas genom att skriva deras namn nedan.</translation>
+        </message>
+        <message>
+            <source>This account is not locked.</source>
+            <translation>Kontot är inte låst.</translation>
         </message>
         <message>
             <source>This can be undone under “Merged before”.</source>

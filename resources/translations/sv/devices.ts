@@ -88,6 +88,10 @@
             <translation>Välj en inläggstyp, en grundform eller det som föreslås för ett fynd</translation>
         </message>
         <message>
+            <source>Choose a material first.</source>
+            <translation>Välj ett material först.</translation>
+        </message>
+        <message>
             <source>Design the rim</source>
             <translation>Utforma kanten</translation>
         </message>

@@ -172,8 +172,24 @@
             <translation>Kontrollerad</translation>
         </message>
         <message>
+            <source>Choose a mark first, or draw one.</source>
+            <translation>Välj ett märke först, eller rita ett.</translation>
+        </message>
+        <message>
             <source>Choose a patient in the list first.</source>
             <translation>Välj först en patient i listan.</translation>
+        </message>
+        <message>
+            <source>Choose a photo first.</source>
+            <translation>Välj ett foto först.</translation>
+        </message>
+        <message>
+            <source>Choose a version first.</source>
+            <translation>Välj en version först.</translation>
+        </message>
+        <message>
+            <source>Choose an order in the list first.</source>
+            <translation>Välj en beställning i listan först.</translation>
         </message>
         <message>
             <source>Choose between two versions of the patient's fields</source>
@@ -784,8 +800,16 @@
             <translation>Deras</translation>
         </message>
         <message>
+            <source>There is no order in the list.</source>
+            <translation>Det finns ingen beställning i listan.</translation>
+        </message>
+        <message>
             <source>This order was written without papers.</source>
             <translation>Den här beställningen skrevs utan papper.</translation>
+        </message>
+        <message>
+            <source>This version is signed already.</source>
+            <translation>Den här versionen är redan signerad.</translation>
         </message>
         <message>
             <source>This visit has no foot yet.</source>

@@ -80,7 +80,7 @@ class LivePresenter:
 
     def _take(self) -> None:
         folder, kind = self._folder(), self._presenter.live_kind
-        if folder is None or not self._can_take or self._jobs.is_running(_KEEP):
+        if folder is None or self._why_not_take or self._jobs.is_running(_KEEP):
             return
         if kind == "infrared":
             work = self._live.take_infrared(folder)
@@ -185,15 +185,18 @@ class LivePresenter:
             LiveRow(
                 running=running,
                 sentence=self._status_sentence() if running else "",
-                can_take=self._can_take,
+                why_not_take=self._why_not_take,
             )
         )
 
     @property
-    def _can_take(self) -> bool:
-        """Whether the chosen sensor is there, and was seen."""
-        is_there = self._live.running and self._live.is_connected(self._presenter.serial)
-        return is_there and not self._live.taking and bool(self._sentence)
+    def _why_not_take(self) -> str:
+        """Why no picture can be taken; empty where the chosen sensor is there, and was seen."""
+        if not (self._live.running and self._live.is_connected(self._presenter.serial)):
+            return tr("The sensor is not plugged in.")
+        if self._live.taking:
+            return tr("Taking the picture: hold still.")
+        return "" if self._sentence else tr("Waiting for the first picture.")
 
     def _status_sentence(self) -> str:
         if self._live.problem:

@@ -457,13 +457,29 @@ class CalibratePresenter:
         idle = not self._jobs.is_running(CHANNEL)
         if idle:
             self._panel.show_progress(0.0, "")
-        usable = self._readiness is not None and self._readiness.usable > 0
+        busy = "" if idle else tr("It is still working; wait a moment.")
+        nothing_to_save = "" if self._result is not None else tr("There is no result to save yet.")
+        nothing_to_undo = "" if self._can_undo() else tr("Nothing was saved that can be undone.")
+        unusable = self._why_unusable
+        unknown = "" if self._knows_pattern() else tr("No pattern is kept to compare it with.")
         self._panel.show_buttons(
             CalibrateButtons(
-                choose=idle and self._sensor is not None and not self._lack(self._step),
-                calibrate=idle and usable,
-                check=idle and usable and self._knows_pattern(),
-                save=idle and self._result is not None,
-                undo=idle and self._can_undo(),
+                choose=busy or self._why_not_choose,
+                calibrate=busy or unusable,
+                check=busy or unusable or unknown,
+                save=busy or nothing_to_save,
+                undo=busy or nothing_to_undo,
             )
         )
+
+    @property
+    def _why_not_choose(self) -> str:
+        if self._sensor is None:
+            return tr("Give the serial number of the sensor, as it stands on its label.")
+        return self._lack(self._step)
+
+    @property
+    def _why_unusable(self) -> str:
+        if self._readiness is None:
+            return tr("Take pictures, or choose the folder with these images.")
+        return "" if self._readiness.usable else tr("None of the pictures can be used yet.")

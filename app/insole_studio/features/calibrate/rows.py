@@ -35,19 +35,19 @@ class BoardSize:
 
 @dataclass(frozen=True)
 class CalibrateButtons:
-    """Which buttons are enabled."""
+    """Why each button is not enabled, a sentence; empty where it is."""
 
-    choose: bool = False
-    calibrate: bool = False
-    check: bool = False
-    save: bool = False
-    undo: bool = False
+    choose: str
+    calibrate: str
+    check: str
+    save: str
+    undo: str
 
 
 @dataclass(frozen=True)
 class LiveRow:
-    """The live image: whether it runs, what it shows, whether it can be captured."""
+    """The live image: whether it runs, what it shows, why it cannot be captured, if so."""
 
     running: bool = False
     sentence: str = ""
-    can_take: bool = False
+    why_not_take: str = ""

@@ -29,6 +29,7 @@ from insole_studio.features.calibrate.rows import (
     StepRow,
 )
 from insole_studio.texts import tr, translate_core_message
+from insole_studio.widgets.form_parts import allow
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.picture_view import PictureView
@@ -85,14 +86,8 @@ class CalibrateView(QWidget):
         self.print_boards.setToolTip(tr("Boards and marker templates at true size"))
         self.calibrate = _button(tr("Calibrate"), self.calibrate_requested)
         self.check = _button(tr("Check the pattern by the newest wall"), self.check_requested)
-        self.check.setToolTip(
-            tr("Whether the pattern that is kept has drifted; nothing is written")
-        )
         self.save = _button(tr("Save to the device"), self.save_requested)
         self.undo = _button(tr("Undo the last step"), self.undo_requested)
-        self.undo.setToolTip(
-            tr("The sensor as it was before a result was last saved; again, to redo it")
-        )
         self.looks = QListWidget()
         self.looks.currentRowChanged.connect(self.look_chosen)
         self._picture = PictureView()
@@ -186,7 +181,7 @@ class CalibrateView(QWidget):
             self.live.setChecked(row.running)
         self.automatic.setVisible(row.running)
         self.take.setVisible(row.running)
-        self.take.setEnabled(row.can_take)
+        allow(self.take, row.why_not_take)
         self.live_sentence.setText(translate_core_message(row.sentence))
 
     def show_next(self, sentences: Sequence[str]) -> None:
@@ -204,8 +199,12 @@ class CalibrateView(QWidget):
         self._progress.show_work(fraction, text)
 
     def show_buttons(self, buttons: CalibrateButtons) -> None:
-        """Enable and disable the buttons."""
-        enabled = {
+        """Enable the buttons, or let them say why they are not."""
+        tips = {
+            self.check: tr("Whether the pattern that is kept has drifted; nothing is written"),
+            self.undo: tr("The sensor as it was before a result was last saved; again, to redo it"),
+        }
+        why_not = {
             self.choose: buttons.choose,
             self.calibrate: buttons.calibrate,
             self.check: buttons.check,
@@ -213,9 +212,9 @@ class CalibrateView(QWidget):
             self.undo: buttons.undo,
         }
         focused = self.window().focusWidget()
-        pressed = next((button for button in enabled if button is focused), None)
-        for button, is_enabled in enabled.items():
-            button.setEnabled(is_enabled)
+        pressed = next((button for button in why_not if button is focused), None)
+        for button, sentence in why_not.items():
+            allow(button, translate_core_message(sentence), tips.get(button, ""))
         if pressed is not None and not pressed.isEnabled():
             # Qt gives the focus to the serial number, all of it selected: the next key replaces it.
             self._pressed = pressed

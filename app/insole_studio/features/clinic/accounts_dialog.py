@@ -27,7 +27,7 @@ from insole_studio.features.clinic.account_form import (
 )
 from insole_studio.features.clinic.record_dialog import PasswordFields, RecordDialog, password_hint
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.form_parts import mark_labels, plain_button
+from insole_studio.widgets.form_parts import allow, mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -169,9 +169,11 @@ class AccountsDialog(RecordDialog):
 
     def _allow(self, _key: str = "") -> None:
         account = self._current
+        no_account = "" if account is not None else tr("Choose an account first.")
         for button in (self.edit, self.reset):
-            button.setEnabled(account is not None)
-        self.unlock.setEnabled(account is not None and account.failures > 0)
+            allow(button, no_account)
+        is_free = account is not None and not account.failures
+        allow(self.unlock, tr("This account is not locked.") if is_free else no_account)
 
     @property
     def _current(self) -> Account | None:

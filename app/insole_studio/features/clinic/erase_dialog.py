@@ -14,7 +14,7 @@ from insole_studio.document.record_maintenance import ErasedLeftovers
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.services.person_list import name_and_birth
 from insole_studio.texts import fill, tr
-from insole_studio.widgets.form_parts import ComboBox, mark_labels, plain_button
+from insole_studio.widgets.form_parts import ComboBox, allow, mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -222,8 +222,12 @@ class EraseDialog(RecordDialog):
             self._is_one_asked = False
             self.say("")
         self.erase.setText(tr("Erase…"))
-        has_reason = self.reason.currentData() != _NO_REASON
-        self.erase.setEnabled(self._found is not None and has_reason)
+        why_not = ""
+        if self._found is None:
+            why_not = tr("Give the pseudonym of the patient first.")
+        elif self.reason.currentData() == _NO_REASON:
+            why_not = tr("Choose the reason first.")
+        allow(self.erase, why_not)
 
     def refuse(self, error: Exception) -> None:
         """Tell why nobody was found or erased."""

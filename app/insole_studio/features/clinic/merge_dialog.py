@@ -17,6 +17,7 @@ from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.record_dialog import RecordDialog
 from insole_studio.services.person_list import name_and_birth, person_headings, person_rows
 from insole_studio.texts import fill, moment_text, tr, translate_core_message
+from insole_studio.widgets.form_parts import allow
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -257,9 +258,11 @@ class MergeDialog(RecordDialog):
         for button in (self.swap, self.merge):
             button.setVisible(merging)
         self.undo.setVisible(not merging)
-        self.swap.setEnabled(self._pair is not None)
-        self.merge.setEnabled(self._preview is not None)
-        self.undo.setEnabled(bool(self.merges.current_key))
+        no_pair = tr("Choose two patients first.")
+        allow(self.swap, "" if self._pair is not None else no_pair)
+        allow(self.merge, "" if self._preview is not None else no_pair)
+        no_merge = tr("Choose in the list what is to be undone first.")
+        allow(self.undo, "" if self.merges.current_key else no_merge)
 
     def _swap(self) -> None:
         pair = self._pair

@@ -25,7 +25,7 @@ from insole_core.workflows.mill import MillingChoice
 from insole_core.workflows.nest_orders import GAP_MM, MARGIN_MM, MOST_GAP_MM, MOST_SIDE_MM
 from insole_studio.features.records.rows import name_of, state_text
 from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.form_parts import ComboBox, mark_labels
+from insole_studio.widgets.form_parts import ComboBox, allow, mark_labels
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
 
@@ -164,8 +164,9 @@ class NestDialog(QDialog):
         self._form.setRowVisible(self._sides, not self.block.currentData())
         self._form.setRowVisible(self.both_sides, bool(self.machine.currentData()))
         count = len(self._ticked)
-        self.nest.setEnabled(count > 0)
-        self.refusal.say("" if count else tr("Tick at least one order."))
+        why_not = "" if count else tr("Tick at least one order.")
+        allow(self.nest, why_not)
+        self.refusal.say(why_not)
 
     def _lay_out(self) -> None:
         self._sides = QWidget()

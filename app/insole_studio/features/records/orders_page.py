@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBox
 from insole_core.records.order import MOST_DAYS_UNTIL_DUE, OrderState
 from insole_studio.features.records.rows import state_text
 from insole_studio.texts import tr
-from insole_studio.widgets.form_parts import ComboBox
+from insole_studio.widgets.form_parts import ComboBox, allow
 from insole_studio.widgets.layouts import FlowRow
 from insole_studio.widgets.number_field import NumberField
 from insole_studio.widgets.row_table import RowTable, TableRow
@@ -76,13 +76,9 @@ class OrdersPage(QWidget):
         self.open_button = self._button(tr("Open the visit"), self.order_chosen)
         self.edit_button = self._button(tr("Shop and due date…"), self.edit_requested)
         self.revise_button = self._button(tr("Revise…"), self.revise_requested)
-        self.revise_button.setToolTip(
-            tr("Open its visit, and export the next revision of its files")
-        )
         self.papers_button = self._button(tr("Print the papers…"), self.papers_requested)
         self.folder_button = self._button(tr("Open the folder"), self.folder_requested)
         self.nest_button = QPushButton(tr("Nest the orders…"))
-        self.nest_button.setToolTip(tr("The pieces of several orders on one block or sheet"))
         self.nest_button.clicked.connect(self.nest_requested)
         self._lay_out()
         self._show_chosen()
@@ -116,7 +112,11 @@ class OrdersPage(QWidget):
             else tr("The first {shown} of {count} orders").format(shown=len(rows), count=count)
         )
         self.table.show_rows(rows)
-        self.nest_button.setEnabled(bool(rows))
+        allow(
+            self.nest_button,
+            "" if rows else tr("There is no order in the list."),
+            tr("The pieces of several orders on one block or sheet"),
+        )
         self._show_chosen()
 
     def show_days(self, days: int) -> None:
@@ -156,8 +156,12 @@ class OrdersPage(QWidget):
         self.days_edited.emit(round(days))
 
     def _show_chosen(self) -> None:
+        tips: dict[QWidget, str] = {
+            self.revise_button: tr("Open its visit, and export the next revision of its files")
+        }
+        why_not = "" if self.table.current_key else tr("Choose an order in the list first.")
         for part in self._of_chosen:
-            part.setEnabled(bool(self.table.current_key))
+            allow(part, why_not, tips.get(part, ""))
 
     def _request_move(self) -> None:
         self.move_requested.emit(self.table.current_key, self.to_state.currentData())

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.photo import MOST_LETTERS, Photo, PhotoMark
 from insole_studio.texts import tr
-from insole_studio.widgets.form_parts import mark_labels, plain_button
+from insole_studio.widgets.form_parts import allow, mark_labels, plain_button
 from insole_studio.widgets.picture_view import Line, MarkedPicture
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -37,17 +37,19 @@ class PhotosDialog(QDialog):
     edited = Signal(object)
     """Emitted with a `Photo` whose caption or marks are others now."""
 
-    def __init__(self, title: str, parent: QWidget | None = None, *, editable: bool = True) -> None:
+    def __init__(
+        self, title: str, parent: QWidget | None = None, *, why_not_change: str = ""
+    ) -> None:
         super().__init__(parent)
         self.setWindowTitle(title)
         self.resize(*_SIZE)
         self._photos: dict[str, Photo] = {}
-        self._editable = editable
+        self._why_not_change = why_not_change
         self.table = RowTable((tr("Photo"), tr("Caption")), stretched=1)
         self.table.setAccessibleName(tr("Photos"))
         self.table.current_changed.connect(self._choose_photo)
         self.picture = MarkedPicture()
-        self.picture.show_editable(editable)
+        self.picture.show_editable(not why_not_change)
         self.picture.drawn.connect(self._add_mark)
         self._hint = QLabel(tr("Drag to draw a line, click to mark a place; then write the text."))
         self._hint.setObjectName("quiet")
@@ -58,7 +60,7 @@ class PhotosDialog(QDialog):
         self.caption, self.text = QLineEdit(), QLineEdit()
         for field, most in ((self.caption, MOST_NAME), (self.text, MOST_LETTERS)):
             field.setMaxLength(most)
-            field.setReadOnly(not editable)
+            field.setReadOnly(bool(why_not_change))
         self.caption.editingFinished.connect(self._edit_caption)
         self.text.editingFinished.connect(self._edit_text)
         self.marks = RowTable((tr("No."), tr("Text")), stretched=1)
@@ -139,16 +141,17 @@ class PhotosDialog(QDialog):
         photo = self.chosen
         marks = () if photo is None else photo.marks
         self._none.setVisible(not self._photos)
-        self._hint.setVisible(photo is not None and self._editable)
+        self._hint.setVisible(photo is not None and not self._why_not_change)
         if not self.caption.hasFocus() or not self.caption.isModified():
             self.caption.setText("" if photo is None else photo.caption)
         with QSignalBlocker(self.marks):
             self.marks.show_rows(
                 [TableRow(str(n), (str(n + 1), mark.text)) for n, mark in enumerate(marks)]
             )
-        self.add.setEnabled(self._editable)
-        self.caption.setEnabled(photo is not None)
-        self.delete.setEnabled(photo is not None and self._editable)
+        no_photo = "" if photo is not None else tr("Choose a photo first.")
+        allow(self.add, self._why_not_change)
+        allow(self.caption, no_photo)
+        allow(self.delete, self._why_not_change or no_photo)
         self._show_mark()
 
     def _show_mark(self) -> None:
@@ -156,8 +159,9 @@ class PhotosDialog(QDialog):
         marks = () if photo is None else photo.marks
         self.picture.show_marks([mark.points for mark in marks], number)
         has_mark = 0 <= number < len(marks)
-        self.text.setEnabled(has_mark)
-        self.remove.setEnabled(has_mark and self._editable)
+        no_mark = "" if has_mark else tr("Choose a mark first, or draw one.")
+        allow(self.text, no_mark)
+        allow(self.remove, self._why_not_change or no_mark)
         if not self.text.hasFocus() or not self.text.isModified():
             self.text.setText(marks[number].text if has_mark else "")
 

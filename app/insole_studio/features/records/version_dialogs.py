@@ -27,6 +27,7 @@ from insole_core.records.prescription import VersionSummary
 from insole_core.records.record_field import FieldChoice, Lines, Typed
 from insole_studio.features.records.rows import shown_message
 from insole_studio.texts import moment_text, tr, translate_core_message
+from insole_studio.widgets.form_parts import allow
 from insole_studio.widgets.layouts import VerticalScroll
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
@@ -330,7 +331,10 @@ class HistoryDialog(QDialog):
 
     def _choose(self, version_id: str) -> None:
         version = self._versions.get(version_id)
-        self.sign.setEnabled(version is not None and version.signed_by is None)
+        why_not = tr("Choose a version first.") if version is None else ""
+        if version is not None and version.signed_by is not None:
+            why_not = tr("This version is signed already.")
+        allow(self.sign, why_not)
         self.changes.say("")
         if version is not None:
             self.version_chosen.emit(version_id)

@@ -133,7 +133,7 @@ class _PhotosOfVisit(QObject):
         dialog = PhotosDialog(
             tr("Photos of the visit"),
             self._services.window,
-            editable=not self._clinic.is_read_only,
+            why_not_change=self._clinic.why_read_only,
         )
         dialog.finished.connect(dialog.deleteLater)
         dialog.add_requested.connect(self._ask_to_add)

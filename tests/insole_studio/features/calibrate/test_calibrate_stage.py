@@ -116,10 +116,20 @@ def step_lines(stage: CalibrateStage) -> list[str]:
 
 def test_begins_with_the_serial_number(stage: CalibrateStage) -> None:
     assert "serial number" in stage.view.next_steps.text()
-    assert not stage.view.choose.isEnabled()
+    view = stage.view
+    assert not view.choose.isEnabled()
+    assert "serial number" in view.choose.toolTip()
     give_serial(stage)
-    assert stage.view.choose.isEnabled()
-    assert not stage.view.calibrate.isEnabled()
+    assert view.choose.isEnabled()
+    assert view.choose.toolTip() == ""
+    told = {
+        view.calibrate: "Take pictures, or choose the folder with these images.",
+        view.save: "There is no result to save yet.",
+        view.undo: "Nothing was saved that can be undone.",
+    }
+    for button, why_not in told.items():
+        assert not button.isEnabled()
+        assert button.toolTip() == button.accessibleDescription() == why_not
     assert all("to do" in line for line in step_lines(stage))
 
 

@@ -230,6 +230,7 @@ def test_a_picture_of_one_sensor_is_never_kept_as_that_of_another(
     view.steps.setCurrentRow(step)
     qtbot.waitUntil(lambda: said(stage).startswith("54 corners, "))
     assert view.take.isEnabled()
+    assert view.take.toolTip() == ""
 
     view.serial_line.setFocus()
     view.serial_line.selectAll()
@@ -240,6 +241,7 @@ def test_a_picture_of_one_sensor_is_never_kept_as_that_of_another(
     assert view._picture._image.isNull()
     qtbot.waitUntil(lambda: said(stage) == "Sensor SIM2 is not connected.")
     assert not view.take.isEnabled()
+    assert view.take.toolTip() == "The sensor is not plugged in."
     assert view._picture.accessibleName() == "Sensor SIM2 is not connected."
     stage.live.take()  # as the key of the button, or a picture that was looked at before
     qtbot.wait(1200)  # three times as long as until the next look

@@ -223,7 +223,11 @@ def test_an_administrator_adds_changes_and_unlocks_accounts(
     dialog = run("accounts", AccountsDialog)
     assert isinstance(dialog, AccountsDialog)
     assert [row.cells[3] for row in dialog.table.rows] == ["", "wrong passwords: 1"]
+    dialog.table.selectRow(0)
+    assert not dialog.unlock.isEnabled()
+    assert dialog.unlock.toolTip() == "This account is not locked."
     dialog.table.selectRow(1)
+    assert dialog.unlock.toolTip() == ""
     dialog.unlock.click()
     rest()
     assert [row.cells[3] for row in dialog.table.rows] == ["", ""]

@@ -65,7 +65,13 @@ def test_two_persons_are_chosen_by_hand_and_swapped(
     dialog = run("merge_patients", MergeDialog)
     assert isinstance(dialog, MergeDialog)
     assert dialog.proposals.rows == ()
-    assert not dialog.merge.isEnabled()
+    for button in (dialog.merge, dialog.swap):
+        assert not button.isEnabled()
+        assert button.toolTip() == "Choose two patients first."
+    dialog.tabs.setCurrentIndex(1)
+    assert not dialog.undo.isEnabled()
+    assert dialog.undo.toolTip() == "Choose in the list what is to be undone first."
+    dialog.tabs.setCurrentIndex(0)
     type_into(dialog.kept.search, "anna berg")
     rest()
     type_into(dialog.other.search, "anna berg")
@@ -76,6 +82,8 @@ def test_two_persons_are_chosen_by_hand_and_swapped(
     rest()
     assert "From <b>Annika</b> Berg to Anna Berg" in dialog.moves.text()
     assert dialog.moves.textFormat() == Qt.TextFormat.PlainText
+    assert dialog.merge.isEnabled()
+    assert dialog.merge.toolTip() == ""
     dialog.swap.click()
     rest()
     assert "From Anna Berg to <b>Annika</b> Berg" in dialog.moves.text()
@@ -92,6 +100,7 @@ def test_erasing_tells_what_the_law_keeps_and_asks_for_the_reason(
     records.visits.add(Visit(anna.id, date.today(), findings="flat foot"))
     dialog = run("erase_patient", EraseDialog)
     assert isinstance(dialog, EraseDialog)
+    assert dialog.erase.toolTip() == "Give the pseudonym of the patient first."
     type_into(dialog.pseudonym, "P-NOBODY")
     QTest.keyClick(dialog.pseudonym, Qt.Key.Key_Return)
     rest()
@@ -103,6 +112,7 @@ def test_erasing_tells_what_the_law_keeps_and_asks_for_the_reason(
     assert f"until {date.today().year + 10}" in dialog.means.text()
     assert "Anna" not in dialog.means.text()
     assert not dialog.erase.isEnabled()
+    assert dialog.erase.toolTip() == "Choose the reason first."
     dialog.reason.setCurrentIndex(1)
     dialog.reason.activated.emit(1)
     dialog.erase.click()

@@ -15,7 +15,7 @@ import manifold3d
 import pytest
 from canned_questions import CannedQuestions
 from pointing import click_heading
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -265,7 +265,12 @@ def test_an_order_is_revised_from_the_page(
     page: OrdersPage, clinic: Application, records: Records, order: Order, rest: Callable[[], None]
 ) -> None:
     """Its visit opens, with the window that exports the next revision of it."""
+    page.table.clearSelection()
+    page.table.setCurrentIndex(QModelIndex())
+    assert not page.revise_button.isEnabled()
+    assert page.revise_button.toolTip() == "Choose an order in the list first."
     page.table.take_first()
+    assert page.revise_button.toolTip().startswith("Open its visit")
     QTest.mouseClick(page.revise_button, LEFT)
     rest()
     stage = clinic.features.export.stage

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton
 from pytestqt.qtbot import QtBot
@@ -395,6 +395,12 @@ def test_versions_say_what_they_changed_and_are_signed(
     rest()
     newest = records.prescriptions.versions(visit.id, Side.LEFT)[0]
     assert newest.signed_by == records.who.name
+    press(page, visit, "versions")
+    rest()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    (dialog,) = clinic.window.findChildren(HistoryDialog)
+    assert not dialog.sign.isEnabled()
+    assert dialog.sign.toolTip() == "This version is signed already."
 
 
 @pytest.mark.parametrize(

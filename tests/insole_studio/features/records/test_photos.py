@@ -130,6 +130,17 @@ def test_a_mark_and_a_photo_are_removed(
     qtbot.waitUntil(lambda: records.photos.of_visit(visit.id) == [])
     assert dialog.table.rows == ()
     assert not dialog.delete.isEnabled()
+    assert dialog.delete.toolTip() == dialog.caption.toolTip() == "Choose a photo first."
+    assert dialog.remove.toolTip() == "Choose a mark first, or draw one."
+
+
+def test_photos_that_cannot_be_changed_say_why(qapp: QApplication) -> None:
+    dialog = PhotosDialog("Photos", why_not_change="Nothing can be changed.")
+    for button in (dialog.add, dialog.delete, dialog.remove):
+        assert not button.isEnabled()
+        assert button.toolTip() == "Nothing can be changed."
+    assert dialog.caption.isReadOnly()
+    dialog.deleteLater()
 
 
 def test_what_somebody_else_has_drawn_is_not_lost(

@@ -36,8 +36,8 @@ from insole_core.insole.prescription.materials import (
 )
 from insole_core.messages import Message
 from insole_studio.features.design.correction_names import capitalised
-from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.form_parts import mark_labels, plain_button
+from insole_studio.texts import tr, translate_core_message, with_capital
+from insole_studio.widgets.form_parts import allow, mark_labels, plain_button
 from insole_studio.widgets.icons import icon
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.number_field import NumberField
@@ -199,7 +199,7 @@ class MaterialsDialog(QDialog):
             self.source,
         ):  # fmt: skip
             widget.setEnabled(material is not None)
-        self.remove.setEnabled(material is not None)
+        allow(self.remove, "" if material is not None else tr("Choose a material first."))
         material = material or ANY_MATERIAL
         self.name.setText(capitalised(material.name))
         self.least.show_value(material.least_mm)
@@ -248,7 +248,7 @@ class MaterialsDialog(QDialog):
         except InputError as error:
             sentence = error.message
         self.problem.say(sentence)
-        self.keep.setEnabled(not sentence)
+        allow(self.keep, with_capital(translate_core_message(sentence)))
 
 
 class StepsEditor(QWidget):
