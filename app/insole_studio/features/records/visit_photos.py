@@ -6,13 +6,14 @@ import logging
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 from shiboken6 import isValid
 
-from insole_core.errors import Conflict, InputError, InsoleError
+from insole_core.errors import Conflict, InputError, InsoleError, RecordsError, Unreachable
 from insole_core.records.field_checks import MOST_NAME
 from insole_core.records.photo import Photo, marks_of, marks_to_json
 from insole_studio.document.clinic_record import RecordState
@@ -45,6 +46,8 @@ class VisitPhotos(QObject):
         self._left: dict[str, LeftWork] = {}
         """What was drawn in a window that ended before it was stored."""
         services.clinic.state_changed.connect(self._store_left)
+        services.keeper.lost.connect(self._leave_lost)
+        services.keeper.moved.connect(self._move)
 
     def close(self) -> None:
         """Leave what is not stored to the next window that starts."""
@@ -79,6 +82,17 @@ class VisitPhotos(QObject):
                 self._waiting.set_aside(photo_id, error)
         else:
             log.warning("what was drawn on a photo is not in the record yet: %s", error)
+
+    def _leave_lost(self) -> None:
+        """Let the notice be seen and taken that tells what becomes of a lost visit."""
+        if (photos := self._visits.get(self._services.keeper.visit_id)) is not None:
+            photos.leave()
+
+    def _move(self, before: str, visit_id: str) -> None:
+        """Add to the visit that has taken the place of a lost one what was meant for that."""
+        if (photos := self._visits.pop(before, None)) is not None:
+            self._visits[visit_id] = photos
+            photos.move(visit_id)
 
     def open(self, visit_id: str) -> None:
         """Show the photos of a visit."""
@@ -118,6 +132,8 @@ class _PhotosOfVisit(QObject):
         """As the record has them."""
         self._wanted: dict[str, Photo] = {}
         """As they are drawn here, while they are not stored so."""
+        self._refused: list[Path] = []
+        """Pictures that the record did not take for this visit."""
         self._is_storing = False
         self._told = ""
         """Why nothing could be stored last; empty since something was."""
@@ -144,17 +160,37 @@ class _PhotosOfVisit(QObject):
         dialog.show_photos(self._now)
         dialog.open()
 
+    def leave(self) -> None:
+        """Close the photos, if they are shown."""
+        if self._dialog is not None and isValid(self._dialog):
+            self._dialog.reject()
+
+    def move(self, visit_id: str) -> None:
+        """Be the photos of another visit from now on, also those that the record did not take."""
+        self._visit_id = visit_id
+        refused, self._refused = self._refused, []
+        for path in refused:
+            self._add(path)
+
     def _ask_to_add(self) -> None:
         questions = self._services.messages.questions.on(self._over)
         path = questions.file_to_open(tr("Photos") + " (*.jpg *.jpeg *.png)", Kept.PICTURES)
-        if path is None:
-            return
+        if path is not None:
+            self._add(path)
+
+    def _add(self, path: Path) -> None:
+        visit_id = self._visit_id
 
         def added(photo: Photo) -> None:
             self._stored[photo.id] = photo
             self._show(photo.id)
 
-        self._clinic.write(lambda r: r.photos.add(self._visit_id, path), added, self._tell)
+        def missed(error: Exception) -> None:
+            if isinstance(error, RecordsError) and not isinstance(error, Unreachable):
+                self._refused.append(path)  # the visit may be lost, and kept as another one
+            self._services.keeper.note_refused(visit_id, error, self._tell)
+
+        self._clinic.write(lambda r: r.photos.add(visit_id, path), added, missed)
 
     def _ask_to_delete(self, photo_id: str) -> None:
         photo = self._stored[photo_id]

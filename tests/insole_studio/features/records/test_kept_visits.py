@@ -9,7 +9,9 @@ from datetime import date
 from pathlib import Path
 
 import pytest
+from canned_questions import CannedQuestions
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
@@ -37,6 +39,7 @@ from insole_studio.document.clinic_record import RecordState
 from insole_studio.document.journal import find_recovered
 from insole_studio.document.record_keeper import SAVE_AFTER_MS, KeepState
 from insole_studio.features.clinic.merge_dialog import MergeDialog
+from insole_studio.features.records.photos_dialog import PhotosDialog
 from insole_studio.features.records.version_dialogs import (
     Choice,
     ConflictDialog,
@@ -559,6 +562,38 @@ def test_all_that_was_meant_for_a_lost_visit_comes_to_the_one_in_its_place(
     qtbot.waitUntil(lambda: bool(records.orders.of_person(visit.person_id)))
     (order,) = records.orders.of_person(visit.person_id)
     assert order.visit_id == keeper.visit_id
+    wait_until_saved(clinic, qtbot)
+
+
+def test_a_photo_for_a_lost_visit_comes_to_the_one_in_its_place(
+    clinic: Application,
+    records: Records,
+    empty: Visit,
+    delete_elsewhere: Callable[[], str],
+    questions: CannedQuestions,
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    clinic.features.records.show_photos()
+    qtbot.waitUntil(lambda: bool(clinic.window.findChildren(PhotosDialog)))
+    (dialog,) = clinic.window.findChildren(PhotosDialog)
+    questions.path = tmp_path / "sole.png"
+    assert QImage(40, 30, QImage.Format.Format_RGB32).save(str(questions.path))
+    delete_elsewhere()
+    QTest.mouseClick(dialog.add, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: bool(lost_notice(clinic)))
+    assert not clinic.services.messages.dialogs, "the notice alone tells what to do"
+    qtbot.waitUntil(lambda: not clinic.window.findChildren(PhotosDialog))  # so it can be reached
+    clinic.services.notices.take("record-lost")
+    wait_until_saved(clinic, qtbot)
+    kept_id = clinic.services.keeper.visit_id
+    assert kept_id != empty.id
+    qtbot.waitUntil(lambda: len(records.photos.of_visit(kept_id)) == 1)
+    clinic.features.records.show_photos()
+    qtbot.waitUntil(lambda: bool(clinic.window.findChildren(PhotosDialog)))
+    (dialog,) = clinic.window.findChildren(PhotosDialog)
+    assert len(dialog.table.rows) == 1
+    dialog.reject()
     wait_until_saved(clinic, qtbot)
 
 
