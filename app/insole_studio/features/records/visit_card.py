@@ -196,6 +196,7 @@ class VisitPictures:
         self._show = show
         self._made: OrderedDict[_Version, tuple[QImage, QImage]] = OrderedDict()
         self._wanted: list[VersionSummary] = []
+        clinic.state_changed.connect(self._make_next)
 
     def want(self, versions: Sequence[VersionSummary]) -> None:
         """Show the pictures of versions, the first ones first; earlier wishes are forgotten."""
@@ -209,9 +210,10 @@ class VisitPictures:
         self._make_next()
 
     def _make_next(self) -> None:
-        if not self._wanted or self._clinic.jobs.is_running(CHANNEL):
+        if not (self._wanted and self._clinic.is_open) or self._clinic.jobs.is_running(CHANNEL):
             return
-        version = self._wanted.pop(0)
+        wanted = self._wanted
+        version = wanted.pop(0)
 
         def make(records: Records) -> Thumbnails:
             from insole_core.workflows.records.thumbnails import thumbnails
@@ -230,8 +232,10 @@ class VisitPictures:
         def missed(error: Exception) -> None:
             if not isinstance(error, InsoleError):
                 raise error
-            if not isinstance(error, Unreachable):  # then they come with the next reading
-                self._put(version, (QImage(), QImage()))
+            if isinstance(error, Unreachable):  # it comes when the database is back
+                wanted.insert(0, version)
+                return
+            self._put(version, (QImage(), QImage()))
             self._make_next()
 
         self._clinic.ask(CHANNEL, make, made, missed)
