@@ -45,6 +45,8 @@ log = logging.getLogger(__name__)
 
 FORMAT: Final = 1
 HEAD_FILE: Final = "insole-studio-backup.json"
+UNFINISHED: Final = "first-backup-not-finished"
+"""An empty file beside the head until there is a snapshot, for whoever looks into the folder."""
 OBJECTS: Final = "objects"
 SNAPSHOTS: Final = "snapshots"
 LISTS: Final = "lists"
@@ -184,6 +186,23 @@ class BackupFolder:
         found = filter(None, map(_snapshot_of, names))
         return sorted(found, key=lambda snapshot: snapshot.number)
 
+    def finished_snapshots(self) -> dict[int, SnapshotName]:
+        """Return the snapshots by number, at least one.
+
+        Raises
+        ------
+        InputError
+            When the folder holds none.
+        """
+        snapshots = {snapshot.number: snapshot for snapshot in self.snapshots()}
+        if not snapshots:
+            raise InputError(
+                "{folder} holds no finished backup, since the first one was broken off; back the "
+                "record up to it again, or choose another folder.",
+                folder=self.path,
+            )
+        return snapshots
+
     def known_snapshots(self, key: BackupKey) -> list[KnownSnapshot]:
         """Return the snapshots, the oldest first, as whoever makes backups knows them."""
         there = self.objects()
@@ -296,7 +315,9 @@ class BackupWriter:
                     "passphrase; choose another folder.",
                     folder=self._folder.path,
                 )
+            self._note_unfinished()
             return
+        self._note_unfinished()
         values = {
             "kind": "insole-studio-backup",
             "format": FORMAT,
@@ -305,6 +326,10 @@ class BackupWriter:
             "opened_by": self._key.opened_by,
         }
         write_text(json.dumps(values, indent=1) + "\n", path)
+
+    def _note_unfinished(self) -> None:
+        if not self._folder.snapshots():
+            write_text("", self._folder.path / UNFINISHED)
 
     def put_rows(self, sha256: str, content: bytes) -> None:
         """Keep a piece of a table, unless it is there.
@@ -340,6 +365,9 @@ class BackupWriter:
         listed = sealed(ObjectList(frozenset(self._used), lost).as_json(), self._key.mac_key)
         self._write_at(self._folder.path / LISTS / name.list_name, listed)
         self._write_at(self._folder.path / SNAPSHOTS / name.file_name, content)
+        unfinished = self._folder.path / UNFINISHED
+        with output_errors(unfinished):
+            unfinished.unlink(missing_ok=True)
         return name
 
     def _write_at(self, path: Path, content: bytes) -> None:

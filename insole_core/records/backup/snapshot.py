@@ -184,13 +184,7 @@ def open_snapshot(folder: Path, secret: str, number: int | None = None) -> Opene
     """
     backups = BackupFolder(folder)
     head = backups.head()
-    snapshots = {snapshot.number: snapshot for snapshot in backups.snapshots()}
-    if not snapshots:
-        raise InputError(
-            "{folder} holds no finished backup, since the first one was broken off; back the "
-            "record up to it again, or choose another folder.",
-            folder=folder,
-        )
+    snapshots = backups.finished_snapshots()
     if number is not None and number not in snapshots:
         raise InputError(
             "{folder} holds no snapshot {number}; it has: {numbers}.",

@@ -45,7 +45,7 @@ from insole_core.records.author import Role
 from insole_core.records.backup import backup_folder
 from insole_core.records.backup import restore as restoring
 from insole_core.records.backup.back_up import BackupReport, BackupSchedule, back_up, set_up_backups
-from insole_core.records.backup.backup_folder import HEAD_FILE, BackupFolder
+from insole_core.records.backup.backup_folder import HEAD_FILE, UNFINISHED, BackupFolder
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, WrongSecret, open_key
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
 from insole_core.records.backup.snapshot import check_backup, damaged_files, open_snapshot
@@ -729,8 +729,24 @@ def test_a_killed_backup_is_completed_by_the_next_one(
         with pytest.raises(KeyboardInterrupt):
             back_up(context, folder)
     assert BackupFolder(folder).snapshots() == []
+    said = folder / UNFINISHED
+    assert said.exists() or not (folder / HEAD_FILE).exists()
     back_up(context, folder)
     assert check_backup(folder, SECRET).is_sound
+    assert not said.exists()
+
+
+def test_a_backup_of_an_older_program_that_was_broken_off_is_told_as_such(
+    context: RecordsContext, folder: Path
+) -> None:
+    with pytest.raises(Cancelled):
+        back_up(context, folder, progress=Progress(is_cancelled=lambda: True))
+    (folder / UNFINISHED).unlink()
+    with pytest.raises(Cancelled):
+        back_up(context, folder, progress=Progress(is_cancelled=lambda: True))
+    assert (folder / UNFINISHED).exists()
+    with pytest.raises(InputError, match="holds no finished backup"):
+        open_snapshot(folder, SECRET)
 
 
 def test_any_age_program_opens_the_key_and_the_files(context: RecordsContext, folder: Path) -> None:

@@ -345,7 +345,7 @@ def _snapshots(folder: Path) -> list[SnapshotName]:
 
     backups = BackupFolder(folder)
     backups.head()
-    return backups.snapshots()
+    return list(backups.finished_snapshots().values())
 
 
 def _opened(plan: _Plan) -> Manifest:

@@ -323,6 +323,20 @@ def test_which_old_backups_stay_is_chosen_in_the_dialog(
     assert snapshots_in(backup_folder) == list(range(5, 35))
 
 
+def test_a_folder_with_no_finished_backup_is_told_before_a_restore(
+    clinic: Application, records: Records, run: Run, rest: Callable[[], None], backup_folder: Path
+) -> None:
+    set_up(records)
+    with pytest.raises(Cancelled):
+        back_up(records.context, backup_folder, progress=Progress(is_cancelled=lambda: True))
+    clinic.settings.backup_folder = str(backup_folder)
+    dialog = run("restore_record", RestoreDialog)
+    assert isinstance(dialog, RestoreDialog)
+    rest()
+    assert "holds no finished backup" in dialog.message.text()
+    assert dialog.table.rows == ()
+
+
 def test_a_restore_waits_until_a_backup_has_stopped(
     clinic: Application,
     records: Records,
