@@ -107,7 +107,8 @@ class ScanSource:
     form
         What was scanned; a session shows a foot.
     choice
-        With which a mesh is read as the same foot once more.
+        With which a mesh is read as the same foot once more; of a session only the side, where it
+        was taken as another foot than it was recorded as.
     mirrored
         Whether the foot is the mirror image of what this scan shows: of the other foot.
     scanned_on

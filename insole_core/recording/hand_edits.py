@@ -110,11 +110,14 @@ class HandEdits:
     volumes
         Replace those of the reference system where both feet were captured; each in the foot's
         own frame.
+    side
+        Which foot a recording of one foot shows, whatever was said as it was made; None for that.
     """
 
     views: dict[str, ViewEdits] = field(default_factory=dict)
     volume_of_interest: Box | None = None
     volumes: dict[Side, Box] = field(default_factory=dict)
+    side: Side | None = None
 
     def of(self, view: str) -> ViewEdits:
         """Return the corrections of a view."""

@@ -69,6 +69,8 @@ def edits_json(edits: HandEdits) -> dict[str, Any]:
     }
     if (box := edits.volume_of_interest) is not None:
         values["volume_of_interest_mm"] = box_json(box)
+    if edits.side is not None:
+        values["side"] = edits.side.value
     if edits.volumes:
         values["feet"] = {
             side.value: {"volume_of_interest_mm": box_json(box)}
@@ -103,6 +105,7 @@ def parse_edits(file: str, text: bytes, manifest: Manifest) -> HandEdits:
         {name: _view(views.object(name), manifest) for name in views.values},
         parse_box(root) if one_foot and root.has("volume_of_interest_mm") else None,
         {} if one_foot or not root.has("feet") else _volumes(root.object("feet")),
+        root.choice("side", list(Side)) if one_foot and root.has("side") else None,
     )
 
 

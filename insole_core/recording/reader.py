@@ -81,7 +81,10 @@ def read_session(path: Path) -> Session:
     manifest = parse_manifest(store.place("manifest.json"), store.read("manifest.json"))
     views = [_view(store, name, manifest) for name in manifest.views]
     _check_devices(store, views)
-    return Session(manifest, _with_shared_cameras(views), str(path), _edits(store, path, manifest))
+    edits = _edits(store, path, manifest)
+    if edits.side is not None:
+        manifest = replace(manifest, side=edits.side)
+    return Session(manifest, _with_shared_cameras(views), str(path), edits)
 
 
 def is_session(path: Path) -> bool:

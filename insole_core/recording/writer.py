@@ -23,7 +23,7 @@ from insole_core.geometry.side import Side
 from insole_core.progress import SILENT, Progress
 from insole_core.recording.hand_edits import NO_EDITS
 from insole_core.recording.hand_edits_file import NAME as EDITS
-from insole_core.recording.hand_edits_file import edits_json
+from insole_core.recording.hand_edits_file import edits_json, edits_path
 from insole_core.recording.images import encode_png
 from insole_core.recording.manifest_json import FORMAT, manifest_json
 from insole_core.recording.sensor_folder import (
@@ -33,7 +33,7 @@ from insole_core.recording.sensor_folder import (
     write_sensor,
 )
 from insole_core.recording.session import Session, View
-from insole_core.recording.store import MAX_FILE_BYTES, FolderStore
+from insole_core.recording.store import MAX_FILE_BYTES, FolderStore, ZipStore
 
 MANIFEST = "manifest.json"
 _TRUTHS = ("truth.ply", "truth_left.ply", "truth_right.ply")
@@ -210,3 +210,26 @@ def pack_session(folder: Path, archive: Path) -> None:
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as opened:
         for name in FolderStore(folder).names():
             opened.write(folder / name, name)
+
+
+def pack_corrected(session: Path, archive: Path) -> None:
+    """Write the archive of a session once more, with the corrections that lie beside it inside.
+
+    Parameters
+    ----------
+    archive
+        As for `pack_session`.
+
+    Raises
+    ------
+    InputError
+        When a file of the session cannot be read.
+    OSError
+        When the corrections cannot be read, or the archive not be written.
+    """
+    store = ZipStore(session)
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as opened:
+        for name in store.names():
+            if name != EDITS:
+                opened.writestr(zipfile.ZipInfo(name), store.read(name))
+        opened.writestr(zipfile.ZipInfo(EDITS), edits_path(session).read_bytes())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePath
 from typing import Any, Final
 
@@ -12,7 +13,8 @@ from insole_core.errors import InputError, RecordsError
 from insole_core.files.atomic import scratch_folder
 from insole_core.formats.file_formats import SCAN_SUFFIXES
 from insole_core.given_file import given_errors, sha256_of
-from insole_core.recording.writer import MANIFEST, pack_session
+from insole_core.recording.hand_edits_file import edits_path
+from insole_core.recording.writer import MANIFEST, pack_corrected, pack_session
 from insole_core.records.author import program_version, utc_now
 from insole_core.records.capture import Capture, CaptureFacts
 from insole_core.records.content_store import MOST_BYTES
@@ -64,7 +66,7 @@ class Captures:
         source = path / MANIFEST if path.is_dir() else path
         with given_errors(source, MOST_BYTES):
             source_sha256 = sha256_of(source, MOST_BYTES)
-        sha256, size = self._put(path)
+        sha256, size = self._put(path, kind)
         capture = Capture(
             id=new_id(),
             visit_id=visit_id,
@@ -91,11 +93,11 @@ class Captures:
         return capture
 
     def of_visit(self, visit_id: str) -> list[Capture]:
-        """Return the captures of a visit, the newest first."""
+        """Return the captures of a visit, the newest first; each as it was corrected last."""
         query = select(captures).where(captures.c.visit_id == visit_id)
         with self._context.reading() as connection:
             rows = connection.execute(query.order_by(captures.c.number.desc())).all()
-        return [_capture(row) for row in rows]
+        return list(_as_corrected(map(_capture, rows)))
 
     def get(self, capture_id: str) -> Capture:
         """Return a capture.
@@ -128,17 +130,29 @@ class Captures:
         self._context.contents.copy_to(capture.content_sha256, path)
         return path
 
-    def _put(self, path: Path) -> tuple[str, int]:
-        """Store a file, or a folder as an archive; return SHA-256 and size in bytes."""
-        if not path.is_dir():
+    def _put(self, path: Path, kind: str) -> tuple[str, int]:
+        """Store a file, or a session with its corrections; return SHA-256 and size in bytes."""
+        is_corrected = kind == SESSION and path.is_file() and edits_path(path).is_file()
+        if not path.is_dir() and not is_corrected:
             return put_file(self._context.contents, path)
+        pack = pack_corrected if is_corrected else pack_session
         store = self._context.contents
         store.identity()  # makes its folder
         with scratch_folder(store.folder / "session.zip") as parts:
             packed = parts / "session.zip"
             with given_errors(path, MOST_BYTES):
-                pack_session(path, packed)
+                pack(path, packed)
             return put_file(store, packed)
+
+
+def _as_corrected(newest_first: Iterable[Capture]) -> Iterator[Capture]:
+    """Leave out sessions that were stored again with corrections, such as which foot they show."""
+    corrected: set[str] = set()
+    for capture in newest_first:
+        if corrected.isdisjoint({capture.source_sha256, capture.content_sha256}):
+            yield capture
+        if capture.kind == SESSION and capture.source_sha256:
+            corrected.add(capture.source_sha256)
 
 
 def _with_content(connection: Connection, visit_id: str, sha256: str) -> Capture | None:

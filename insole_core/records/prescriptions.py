@@ -550,7 +550,9 @@ def _capture_of(connection: Connection, visit_id: str, source_sha256: str) -> st
     person_id = select(visits.c.person_id).where(visits.c.id == visit_id).scalar_subquery()
     query = select(captures.c.id).join(visits, visits.c.id == captures.c.visit_id)
     query = query.where(visits.c.person_id == person_id, is_source)
-    query = query.order_by(captures.c.visit_id != visit_id, captures.c.created_at)
+    query = query.order_by(
+        captures.c.visit_id != visit_id, captures.c.created_at.desc(), captures.c.number.desc()
+    )
     found: str | None = connection.execute(query.limit(1)).scalar()
     return found
 

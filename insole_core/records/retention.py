@@ -19,9 +19,11 @@ from sqlalchemy import (
     Connection,
     Select,
     Table,
+    and_,
     delete,
     exists,
     func,
+    or_,
     select,
     update,
 )
@@ -31,6 +33,7 @@ from insole_core.errors import RecordsError
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.bare_files import BareFiles
+from insole_core.records.captures import SESSION
 from insole_core.records.checked_values import day_of, highest
 from insole_core.records.clinic import setting_of
 from insole_core.records.content_store import GRACE_S, SweptContents
@@ -391,10 +394,23 @@ def _has_entries(connection: Connection, person_id: str) -> bool:
 
 
 def _unused_captures(connection: Connection, person_id: str) -> int:
-    """Remove captures that no prescription was made from: they document no device."""
+    """Remove captures that no prescription was made from: they document no device.
+
+    One that was corrected stays in both forms: its correction may say which foot it shows.
+    """
+    used = captures.alias()
+    is_correction = and_(
+        captures.c.kind == SESSION,
+        captures.c.source_sha256 != "",
+        captures.c.visit_id == used.c.visit_id,
+        captures.c.source_sha256.in_((used.c.source_sha256, used.c.content_sha256)),
+    )
     row = delete(captures).where(
         captures.c.visit_id.in_(_ids(visits, person_id)),
-        ~exists().where(prescription_versions.c.capture_id == captures.c.id),
+        ~exists().where(
+            prescription_versions.c.capture_id == used.c.id,
+            or_(used.c.id == captures.c.id, is_correction),
+        ),
     )
     return connection.execute(row).rowcount
 

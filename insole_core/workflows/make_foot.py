@@ -118,8 +118,8 @@ class MeasuredSession:
         """Take the session of one foot as that of a side, whatever was said at its recording."""
         recorded = self.session.manifest
         assert recorded.side != BOTH, "of both feet, the place of each says which one it is"
-        manifest = replace(recorded, side=side)
-        return replace(self, session=replace(self.session, manifest=manifest))
+        manifest, edits = replace(recorded, side=side), replace(self.edits, side=side)
+        return replace(self, session=replace(self.session, manifest=manifest, edits=edits))
 
     def with_edits(self, edits: HandEdits) -> MeasuredSession:
         """Replace the manual corrections; the measurements stay."""

@@ -159,7 +159,12 @@ def session_source(path: Path, session: Session) -> ScanSource:
     """Return the scan record of a session that was read from `path`."""
     source = _source("session", path, session.manifest.recorded_at)
     condition = session.manifest.capture_condition or CaptureCondition()
-    return replace(source, place=session.place, weight_bearing=condition.weight_bearing)
+    return replace(
+        source,
+        place=session.place,
+        weight_bearing=condition.weight_bearing,
+        choice=ImportChoice(side=session.edits.side),
+    )
 
 
 def mesh_source(path: Path, form: Form = Form.FOOT) -> ScanSource:

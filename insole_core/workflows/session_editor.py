@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from insole_core.errors import OutputError
 from insole_core.geometry.side import Side
@@ -65,8 +66,12 @@ class SessionEditor:
         return self.opened.box
 
     def take_as(self, side: Side) -> None:
-        """Take the session of one foot as that of this side; the recording stays as it is."""
+        """Take the session of one foot as that of this side, also when it is opened again.
+
+        It is no step of undo: none of the other corrections leads back to the wrong foot.
+        """
         self.opened = self.opened.taken_as(side)
+        self._save()
 
     def apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
         """Replace the corrections, save them and update the poses.
@@ -103,16 +108,19 @@ class SessionEditor:
 
     def _step_to(self, edits: HandEdits | None) -> None:
         if edits is not None:
-            self._set(edits)
+            self._set(replace(edits, side=self.edits.side))
 
     def _set(self, edits: HandEdits) -> None:
         before, self.opened = self.opened, self.opened.with_edits(edits)
+        self._save()
+        self._place(frozenset(n for n in self.names if edits.of(n) != before.edits.of(n)))
+
+    def _save(self) -> None:
         self.trouble = ""
         try:
-            write_edits(edits, self.opened.path)
+            write_edits(self.edits, self.opened.path)
         except OutputError as error:
             self.trouble = str(error)
-        self._place(frozenset(n for n in self.names if edits.of(n) != before.edits.of(n)))
 
     def _place(self, names: frozenset[str]) -> None:
         for name in names:

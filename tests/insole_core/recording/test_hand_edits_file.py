@@ -13,11 +13,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from insole_core.errors import InputError, OutputError
+from insole_core.geometry.side import BOTH, Side
 from insole_core.recording.box import Box
 from insole_core.recording.hand_edits import NO_EDITS, HandEdits, NamedSpot, ViewEdits
 from insole_core.recording.hand_edits_file import edits_json, edits_path, parse_edits, write_edits
+from insole_core.recording.manifest_json import parse_manifest
 from insole_core.recording.reader import read_session
 from insole_core.recording.session import Session
+from insole_core.recording.store import FolderStore, ZipStore
 from insole_core.recording.writer import write_session
 
 SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
@@ -67,6 +70,29 @@ def kept(request: pytest.FixtureRequest, session: Session, tmp_path: Path) -> Pa
     path = tmp_path / str(request.param)
     write_session(session, path)
     return path
+
+
+def test_a_session_is_read_as_the_foot_that_it_was_taken_as(
+    kept: Path, session: Session, tmp_path: Path
+) -> None:
+    assert session.manifest.side is Side.LEFT
+    write_edits(HandEdits(side=Side.RIGHT), kept)
+    taken = read_session(kept)
+    assert taken.manifest.side is taken.edits.side is Side.RIGHT
+    assert parse_manifest("manifest.json", manifest_of(kept)).side is Side.LEFT  # as recorded
+    write_session(taken, tmp_path / "again.zip")
+    assert read_session(tmp_path / "again.zip").manifest.side is Side.RIGHT
+
+
+def test_of_both_feet_the_place_says_which_is_which() -> None:
+    both = replace(MANIFEST, side=BOTH)
+    text = json.dumps(edits_json(HandEdits(side=Side.RIGHT))).encode()
+    assert parse_edits("e.json", text, both).side is None
+
+
+def manifest_of(session: Path) -> bytes:
+    store = FolderStore(session) if session.is_dir() else ZipStore(session)
+    return store.read("manifest.json")
 
 
 def test_a_session_is_read_with_its_corrections(kept: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
@@ -16,6 +17,9 @@ from insole_core.errors import Conflict, InputError, RecordsError
 from insole_core.export.shop_order import OrderTerms
 from insole_core.geometry.side import Side
 from insole_core.given_file import sha256_of
+from insole_core.recording.hand_edits import HandEdits
+from insole_core.recording.hand_edits_file import write_edits
+from insole_core.recording.reader import read_session
 from insole_core.records import schema
 from insole_core.records.capture import CaptureFacts
 from insole_core.records.captures import MESH, SESSION
@@ -25,6 +29,7 @@ from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, FollowUp, Visit
 from insole_core.workflows.starting_design import on_earlier_scan, starting_device
 
+SMALL = Path(__file__).parents[2] / "data" / "sessions" / "left_small.zip"
 TODAY = date.today()
 TOMORROW = TODAY + timedelta(days=1)
 
@@ -47,6 +52,32 @@ def order(records: Records, visit: Visit, foot_record: FootRecord, tmp_path: Pat
     return records.orders.add(
         visit.id, [base.version_id], shop="CNC", due_on=TOMORROW, remarks="blue", files=[stl]
     )
+
+
+@pytest.mark.parametrize("is_copy", [False, True])
+def test_a_session_that_is_taken_as_the_other_foot_comes_back_as_that(
+    records: Records, visit: Visit, foot_record: FootRecord, tmp_path: Path, is_copy: bool
+) -> None:
+    """Where it was recorded, and where a copy from the record was corrected."""
+    session = tmp_path / "session"
+    with zipfile.ZipFile(SMALL) as archive:
+        archive.extractall(session)
+    mistaken = records.captures.add(visit.id, SESSION, session)
+    path = records.captures.copy_to(mistaken, tmp_path) if is_copy else session
+    write_edits(HandEdits(side=Side.RIGHT), path)
+    taken = records.captures.add(visit.id, SESSION, path)
+    assert records.captures.of_visit(visit.id) == [taken]
+    assert records.captures.add(visit.id, SESSION, path) == taken
+    back = tmp_path / "back"
+    back.mkdir()
+    session_back = read_session(records.captures.copy_to(taken, back))
+    assert session_back.manifest.side is Side.RIGHT
+    assert len(session_back.views) == len(read_session(SMALL).views)
+    digest = sha256_of(path if is_copy else path / "manifest.json")
+    made = replace(foot_record, source=ScanSource("session", "x", digest))
+    records.prescriptions.save(visit.id, made, None)
+    [version] = records.prescriptions.versions(visit.id, Side.LEFT)
+    assert version.capture_id == taken.id
 
 
 def test_the_same_capture_is_stored_once(records: Records, visit: Visit, tmp_path: Path) -> None:

@@ -290,7 +290,7 @@ class FootStagePresenter:
         self._only = only
         if only is not None:
             opened = opened.of_foot(only)
-        self._trouble = ""
+        self._trouble = self._work.trouble
 
         def task(progress: Progress) -> tuple[MadeFoot, ...]:
             feet = make_feet(opened, limits, progress, compare_views=True, force=force)

@@ -129,9 +129,16 @@ class VisitCaptures(QObject):
         for foot in self._case.record.feet:
             source = foot.source
             is_own = not source.scanned_on  # else an earlier visit has it
-            if is_own and source.sha256 not in self._stored and _is_there(source):
-                self._stored.add(source.sha256)
+            scan = _name_of(source)
+            if is_own and scan not in self._stored and _is_there(source):
+                self._stored |= {scan, source.sha256}
                 self.store(self._visit_id, Path(source.path), source.kind)
+
+
+def _name_of(source: ScanSource) -> str:
+    """Return what tells a scan; a session taken as the other foot is stored once more, as that."""
+    side = source.choice.side if source.kind == "session" else None
+    return source.sha256 if side is None else f"{source.sha256} {side}"
 
 
 def _is_there(source: ScanSource) -> bool:

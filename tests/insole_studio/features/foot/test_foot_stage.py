@@ -160,6 +160,11 @@ def test_a_left_foot_that_was_captured_as_right_is_taken_as_what_it_is(
         stage.view.go_on.click()  # corrected, it stays a left foot, without a second question
         settle()
         assert [foot.side for foot in app.case.record.feet] == [Side.LEFT]
+        app.features.case_files.opener.open_path(path)  # as the recent files do
+        settle()
+        assert shown_stage(app).view.findChild(SideBadge).text() == "LEFT"
+        shown_stage(app).view.undo_requested.emit()
+        assert read_session(path).manifest.side is Side.LEFT
     if side is Side.RIGHT:
         stage.view.view_switched.emit("right", False)
         with answering("Take it as a left foot") as answers:

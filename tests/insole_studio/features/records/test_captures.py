@@ -14,9 +14,13 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.given_file import sha256_of
+from insole_core.recording.hand_edits import HandEdits
+from insole_core.recording.hand_edits_file import write_edits
+from insole_core.recording.reader import read_session
 from insole_core.records.person import Person
 from insole_core.records.records import Records
 from insole_core.records.visit import CaptureState, Visit
+from insole_core.workflows.scanned_feet import session_source
 from insole_studio.app.bootstrap import Application
 from insole_studio.texts import moment_text
 
@@ -64,6 +68,32 @@ def test_a_capture_of_another_station_is_offered_soon(
     notices.take(notice.key)
     qtbot.waitUntil(lambda: bool(fetched))
     assert sha256_of(fetched[0], MOST_BYTES) == sha256_of(small_session, MOST_BYTES)
+
+
+def test_a_capture_that_is_taken_as_the_other_foot_is_stored_as_that(
+    opened: Application,
+    records: Records,
+    visit: Visit,
+    small_session: Path,
+    make_foot: Callable[[Side], Foot],
+    tmp_path: Path,
+    qtbot: QtBot,
+) -> None:
+    session = tmp_path / "session.zip"
+    session.write_bytes(small_session.read_bytes())
+    records.captures.add(visit.id, "session", session)
+    captures = opened.features.records.captures
+    qtbot.waitUntil(lambda: captures._stored is not None)
+    captures._look()
+    write_edits(HandEdits(side=Side.RIGHT), session)
+    source = session_source(session, read_session(session))
+    opened.case.open_foot(make_foot(Side.RIGHT), source)
+
+    def side() -> Side:
+        (capture,) = records.captures.of_visit(visit.id)
+        return read_session(records.captures.copy_to(capture, tmp_path)).manifest.one_side
+
+    qtbot.waitUntil(lambda: side() is Side.RIGHT)
 
 
 def test_the_foot_of_a_capture_stores_it_only_once(
