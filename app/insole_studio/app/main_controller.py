@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from insole_core.cases.case_record import CaseRecord, Patient
 from insole_core.errors import InsoleError
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.app.actions import ACTIONS, Run, bind_actions
 from insole_studio.app.features import Features
 from insole_studio.app.window_actions import WindowFeature
@@ -121,7 +122,7 @@ class MainController(QObject):
         capture.captured.connect(opener.open_path)
         capture.captured_for.connect(features.records.captures.store)
         features.records.captures.fetched.connect(opener.open_path)
-        foot.foot_made.connect(lambda scanned: opener.take_scan(scanned, foot.shown_stage))
+        foot.foot_made.connect(self._take_made)
         foot.closed.connect(capture.hand_on, Qt.ConnectionType.QueuedConnection)
         foot.closed.connect(self._window.come_forward, Qt.ConnectionType.QueuedConnection)
         foot.unreadable.connect(self._services.messages.show_error)
@@ -255,6 +256,11 @@ class MainController(QObject):
     def _is_on_person_alone(self) -> bool:
         """Whether a person's page is shown, and no visit is open."""
         return self._is_on_person and self._case.is_empty
+
+    def _take_made(self, scanned: ScannedFoot) -> None:
+        foot = self._features.foot
+        if not self._features.case_files.opener.take_scan(scanned, foot.shown_stage):
+            foot.note_declined(scanned)
 
     def _tell_handed_over(self, name: str, conflicted: bool) -> None:
         if self._services.clinic.hides_patients:  # whoever was signed in has left meanwhile

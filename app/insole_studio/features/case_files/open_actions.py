@@ -114,7 +114,7 @@ class OpenActions:
 
         self._saver.after_unsaved(lambda: self._services.run(CHANNEL, read, opened))
 
-    def take_scan(self, scanned: ScannedFoot, over: QWidget | None = None) -> None:
+    def take_scan(self, scanned: ScannedFoot, over: QWidget | None = None) -> bool:
         """Add a foot to the case; one reconstructed from the same scan keeps its design.
 
         A recording of one foot that was made as the other one before is no second foot: that one
@@ -124,14 +124,19 @@ class OpenActions:
         ----------
         over
             The window that the foot comes from; by default the main one.
+
+        Returns
+        -------
+        bool
+            False if the user does not want it, after all.
         """
         self._recent.remember(Path(scanned.source.path))
         before = self._case.record.of_side(scanned.foot.side)
         if before is not None and _is_same_scan(before, scanned):
             again = replace(before, foot=scanned.foot, source=scanned.source)
             self._take(again, scanned, tr("Reconstruct the foot again"))
-        else:
-            self._put_on_bench(scanned, over)
+            return True
+        return self._put_on_bench(scanned, over)
 
     def _take(self, foot: FootRecord, scanned: ScannedFoot, sentence: str) -> None:
         """Put a foot into the case, and take the one away that its scan was mistaken for."""
@@ -204,24 +209,30 @@ class OpenActions:
 
         self._import_scan(path, side, CHANNEL, opened)
 
-    def _put_on_bench(self, scanned: ScannedFoot, over: QWidget | None) -> None:
-        """Add a foot to the case; one of the same side is replaced, or kept in the old case."""
+    def _put_on_bench(self, scanned: ScannedFoot, over: QWidget | None) -> bool:
+        """Add a foot to the case; one of the same side is replaced, or kept in the old case.
+
+        Returns
+        -------
+        bool
+            False if neither is wanted.
+        """
         foot = self._begun(scanned)
         record = self._case.record
         before = record.of_side(foot.side)
         if not record.feet:
             self._tell(scanned)
             self._case.open_foot(foot.foot, foot.source, foot.design)
-            return
+            return True
         starting = starting_device(self._services.paths.settings_folder)
         mistaken = _mistaken(record, scanned)
         if before is None and mistaken is not None:
             foot = replace(foot, earlier=last_design(mistaken, starting))
             self._take(foot, scanned, tr("Reconstruct the foot again"))
-            return
+            return True
         if before is None:
             self._take(foot, scanned, _sentence_of_adding(foot.side))
-            return
+            return True
         answer = SameSide.REPLACE
         # A capture was seen by nobody yet, as a scan was in the dialog that imports it.
         is_unseen, order = scanned.source.kind == "session", record.order.number
@@ -233,6 +244,7 @@ class OpenActions:
             self._take(foot, scanned, tr("Put a new scan into the place of the old"))
         elif answer is SameSide.NEW_CASE:
             self._saver.after_unsaved(lambda: self._begin_case(scanned))
+        return answer is not SameSide.CANCEL
 
     def _begin_case(self, scanned: ScannedFoot) -> None:
         foot = self._begun(scanned)

@@ -10,6 +10,7 @@ from PySide6.QtCore import Signal
 from insole_core.cases.case_record import CaseRecord
 from insole_core.geometry.side import Side
 from insole_core.reconstruct.poses.pose_quality import RegistrationLimits
+from insole_core.workflows.scanned_feet import ScannedFoot
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.questions import OtherFoot
 from insole_studio.services.stage_window import StageWindow
@@ -77,6 +78,11 @@ class FootWindow(StageWindow["FootStage"]):
         stage.foot_made.connect(self.foot_made)
         stage.unreadable.connect(self.unreadable)
         stage.closed.connect(self.closed)
+
+    def note_declined(self, scanned: ScannedFoot) -> None:
+        """Tell the stage that a foot which it made was not wanted."""
+        if self.stage is not None:
+            self.stage.presenter.note_declined(scanned)
 
     def end_merging(self) -> None:
         """Let the next correction be an undo step of its own."""

@@ -104,7 +104,7 @@ class FootStagePresenter:
     remember
         Called with changed limits.
     hand_over
-        Called with a foot for the design stage.
+        Called with a foot for the design stage; if it is not wanted, `note_declined` is called.
     ask
         Asks whether to continue despite a warning.
     ask_alone
@@ -322,9 +322,16 @@ class FootStagePresenter:
             self._hands_over = True
             self.make()
             return
-        self._give()
+        all_taken = self._give()
         self._hands_over = running
-        self._finished(not running)
+        if running or all_taken:
+            self._finished(not running)
+        else:
+            self._leaves = False
+
+    def note_declined(self, scanned: ScannedFoot) -> None:
+        """Remember that a foot which was handed over was not wanted; it may be once more."""
+        self._handed = {s: made for s, made in self._handed.items() if made.scan is not scanned}
 
     def progressed(self, news: JobProgress) -> None:
         """Show the progress of a job."""
@@ -412,7 +419,10 @@ class FootStagePresenter:
         self._panel.show_progress(0.0, "")
         if self._hands_over:
             self._hands_over = False
-            self._give()
+            all_taken = self._give()
+            if self._leaves and not all_taken:
+                self._leaves = False
+                self._needed_again()
         if self._leaves:
             self._finished(True)
             return
@@ -453,12 +463,13 @@ class FootStagePresenter:
             self._panel.show_session(visible_line(self._work.opened.path.stem), (side,))
             self.choose_foot(side)
 
-    def _give(self) -> None:
-        """Hand over the feet that were not handed over yet."""
+    def _give(self) -> bool:
+        """Hand over the feet that were not handed over yet; return whether all were wanted."""
         for side, made in self._made_feet.items():
             if self._handed.get(side) is not made:
                 self._handed[side] = made
                 self._hand_over(made.scan)
+        return all(self._handed.get(side) is made for side, made in self._made_feet.items())
 
     def _apply(self, edits: HandEdits, sentence: str, merge_key: str = "") -> None:
         if self._work is not None:

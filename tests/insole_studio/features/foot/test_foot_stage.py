@@ -17,6 +17,8 @@ from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 from real_dialogs import answering
 
+from insole_core.cases.scan_source import ScanSource
+from insole_core.foot.foot import Foot
 from insole_core.geometry.arrays import IntArray
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
@@ -174,6 +176,34 @@ def test_a_left_foot_that_was_captured_as_right_is_taken_as_what_it_is(
         stage.view.go_on.click()
         settle()
         assert [foot.side for foot in app.case.record.feet] == [Side.LEFT]
+
+
+@pytest.mark.slow
+def test_going_on_with_a_foot_that_was_not_opened_asks_once_more(
+    app: Application,
+    settle: Callable[[], None],
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    make_foot: Callable[[Side], Foot],
+    session: Path,
+) -> None:
+    app.case.open_foot(make_foot(Side.LEFT), ScanSource("mesh", "left.stl", "0" * 64))
+    first = app.case.foot
+    monkeypatch.setattr(app.services.messages, "questions", Questions(app.window))
+    with answering("Do not open") as answers:
+        app.features.case_files.opener.open_path(session)
+        qtbot.waitUntil(lambda: answers.left == [])
+    settle()
+    stage = shown_stage(app)
+    with answering("Do not open"):
+        QTest.mouseClick(stage.view.go_on, LEFT)
+    assert shown_stage(app) is stage
+    assert stage.isVisible()
+    assert app.case.foot is first
+    with answering("Put in its place"):
+        QTest.mouseClick(stage.view.go_on, LEFT)
+    assert app.features.foot.stage is None
+    assert app.case.foot is not first
 
 
 @pytest.mark.slow
