@@ -593,8 +593,9 @@ def require_no_other_programs(parts: Sequence[Part], choice: OrderChoice, path: 
 
 
 def word_of(parts: Sequence[Part], choice: OrderChoice) -> str:
-    """Return the word in the name of the first file: left, right or pair."""
-    return _word(_groups(parts, choice)[0])
+    """Return the word that each name has: left, right or pair; none where each has its own."""
+    groups = _groups(parts, choice)
+    return _word(groups[0]) if len(groups) == 1 else ""
 
 
 def _groups(parts: Sequence[Part], choice: OrderChoice) -> list[Sequence[Part]]:

@@ -189,7 +189,8 @@ class ExportActions(StageWindow["ExportStage"]):
         form = mesh_format(suffix)
         kinds = f"{form.name} ({form.patterns})"
         stem = re.sub(r'[<>:"/\\|?*\s]+', "_", pseudonym)
-        return self._questions.name_to_write(f"{stem}-{word}{suffix}", kinds, Kept.EXPORTS)
+        name = "-".join(filter(None, (stem, word)))
+        return self._questions.name_to_write(name + suffix, kinds, Kept.EXPORTS)
 
     def package_path(self, number: str, package: Package) -> Path | None:
         """Let the user choose where an order is written; a folder is named after its number."""

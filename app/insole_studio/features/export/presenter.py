@@ -87,7 +87,7 @@ class OrderAsker(MachineAsker, Protocol):
     """Asks the user for what an order needs, on the window of the stage."""
 
     def path(self, pseudonym: str, word: str, suffix: str) -> Path | None:
-        """Let the user choose a file, given the word for the side; None if cancelled."""
+        """Let the user choose a file, given the word for the side, if any; None if cancelled."""
 
     def package_path(self, number: str, package: Package) -> Path | None:
         """Let the user choose where an order of a number is written; None if cancelled."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import Signal
-from PySide6.QtGui import QKeySequence, QShowEvent
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtGui import QKeySequence, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QHBoxLayout,
@@ -37,6 +37,8 @@ from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.model_view import ModelView
 
 _FORM_PX, _CHECKS_PX = 320, 376
+_WIDE_PX, _WIDE_FORM_PX = 1200, 360
+"""From this width of the stage on, the form has room for the names of all blocks of the shop."""
 
 
 class ExportView(QWidget):
@@ -262,8 +264,16 @@ class ExportView(QWidget):
         super().showEvent(event)
         self._fit_sides()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Give the form more room in a wide window."""
+        super().resizeEvent(event)
+        if _is_wide(event.oldSize()) != _is_wide(event.size()):
+            self._fit_sides()
+
     def _fit_sides(self) -> None:
-        for part, area, least_px in self._sides:
+        form, checks = self._sides
+        form_px = _WIDE_FORM_PX if _is_wide(self.size()) else _FORM_PX
+        for (part, area), least_px in ((form, form_px), (checks, _CHECKS_PX)):
             for widget in area.findChildren(QWidget):
                 widget.ensurePolished()
             part.setFixedWidth(max(least_px, area.needed_px))
@@ -304,13 +314,14 @@ class ExportView(QWidget):
             layout.addWidget(part)
             parts.append(part)
         layout.setStretch(1, 1)
-        self._sides = (
-            (parts[0], self._form_area, _FORM_PX),
-            (parts[2], self._checks_area, _CHECKS_PX),
-        )
+        self._sides = (parts[0], self._form_area), (parts[2], self._checks_area)
         whole = QVBoxLayout(self)
         whole.addWidget(self.patient)
         whole.addLayout(layout, 1)
+
+
+def _is_wide(size: QSize) -> bool:
+    return size.width() >= _WIDE_PX
 
 
 def _stacked(*widgets: QWidget) -> QWidget:

@@ -12,7 +12,13 @@ from typing import Any
 import pytest
 import trimesh
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QToolButton
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QApplication,
+    QStyle,
+    QStyleOptionComboBox,
+    QToolButton,
+)
 from pytestqt.qtbot import QtBot
 from read_pdf import text_of_pdf
 
@@ -467,14 +473,30 @@ def test_pair_is_nested_into_one_block(
     assert mesh.bounds.min() >= 0
 
 
+@pytest.mark.usefixtures("settle")
+def test_each_block_is_read_whole_on_a_small_screen(stage: ExportStage, qtbot: QtBot) -> None:
+    stage.resize(1366, 728)
+    qtbot.wait(20)  # until the columns have their widths
+    field = stage.view.form.block
+    option = QStyleOptionComboBox()
+    field.initStyleOption(option)
+    room = field.style().subControlRect(
+        QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, field
+    )
+    for number in range(field.count()):
+        text = field.itemText(number)
+        assert field.fontMetrics().horizontalAdvance(text) <= room.width() - 4, text
+
+
 def test_pair_without_a_block_is_two_files(
     stage: ExportStage, settle: Callable[[], None], chosen: Chosen, tmp_path: Path
 ) -> None:
     order(stage, both=True, job_sheet=False)
     settle()
-    chosen.answer = tmp_path / "anna-left.stl"
+    chosen.word, chosen.answer = "-", tmp_path / "anna-left.stl"
     stage.view.export.click()
     settle()
+    assert chosen.word == ""
     assert sorted(p.name for p in tmp_path.glob("*.stl")) == [
         "anna-left.stl",
         "anna-right.stl",

@@ -240,6 +240,11 @@ def test_the_shop_gets_the_order_number_but_no_name_and_the_case_keeps_it(
     QTest.mouseClick(stage.view.export, LEFT)
     settle()
     assert paths_given.suggested[-1] == "P-7_2-left.stl"
+    order(stage, block=None, both=True)
+    settle()
+    paths_given.answer = None
+    QTest.mouseClick(stage.view.export, LEFT)
+    assert paths_given.suggested[-1] == "P-7_2.stl"  # the names of both files tell their sides
 
 
 def test_another_case_takes_nothing_of_the_one_before(
