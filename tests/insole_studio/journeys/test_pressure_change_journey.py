@@ -12,6 +12,7 @@ from image_colors import colors_of
 from pointing import LEFT
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDockWidget
 from pytestqt.qtbot import QtBot
 
 from insole_core.cases.case_record import FootRecord
@@ -335,8 +336,14 @@ def test_on_a_small_screen_the_window_covers_no_part_of_the_insole(
         here = shown[insole.top() : insole.bottom(), insole.left() : insole.right()].astype(int)
         return bool((here[..., 2] - here[..., 0] > 60).any())  # the blue of what is relieved
 
+    def covered_panels() -> list[str]:
+        panels = [dock for dock in app.window.findChildren(QDockWidget) if dock.isVisible()]
+        places = [(dock, QRect(dock.mapToGlobal(QPoint(0, 0)), dock.size())) for dock in panels]
+        return [d.windowTitle() for d, at in places if at.intersects(dialog.frameGeometry())]
+
     qtbot.waitUntil(is_seen)
     assert room.contains(dialog.frameGeometry())
+    assert covered_panels() == ["Patient"]
     act(app, "variant_duplicate")
     dialog.against.setCurrentIndex(1)
     dialog.against.activated.emit(1)
@@ -345,6 +352,7 @@ def test_on_a_small_screen_the_window_covers_no_part_of_the_insole(
     assert app.stage.insole_presenter.companion is not None
     qtbot.waitUntil(is_seen)
     assert room.contains(dialog.frameGeometry())
+    assert covered_panels() == ["Patient"]
 
     dialog.move(700, 0)  # over the other view the insole has all its room again
     qtbot.waitUntil(lambda: scene.width() == wide_px)

@@ -101,11 +101,19 @@ class LoadDialog(QDialog):
             box.toggled.connect(self._ask)
 
     def show_beside(self, view: QWidget) -> None:
-        """Open at the left edge of the window, and tell from now on what of a view it covers."""
+        """Open at the left edge of the window, and tell from now on what of a view it covers.
+
+        It ends where the view does: it may cover a part of that, which makes room for it, but none
+        of the panels below.
+        """
         self.show()
         window = view.window()
-        self.move(window.mapToGlobal(QPoint(0, (window.height() - self.height()) // 2)))
         self._view = view
+        room, frame_px = self._room(), self.frameGeometry().height() - self.height()
+        self.resize(self.width(), min(self.height(), room.height() - frame_px))
+        middle = window.mapToGlobal(QPoint(0, (window.height() - self.height()) // 2))
+        lowest = room.bottom() + 1 - self.height() - frame_px
+        self.move(middle.x(), max(room.top(), min(middle.y(), lowest)))
         for watched in (view, window):
             watched.installEventFilter(self)
         self._tell_covered()
@@ -217,10 +225,20 @@ class LoadDialog(QDialog):
         margins = own.contentsMargins()
         inner_px = self.width() - margins.left() - margins.right()
         told_px = told.totalHeightForWidth(inner_px) + margins.top() + margins.bottom()
-        self.resize(bounded(self, QSize(self.width(), max(self.height(), told_px))))
-        room, frame = self.screen().availableGeometry(), self.frameGeometry()
-        if frame.bottom() > room.bottom():
-            self.move(self.x(), max(room.top(), self.y() - frame.bottom() + room.bottom()))
+        room, frame_px = self._room(), self.frameGeometry().height() - self.height()
+        wanted = max(self.height(), min(told_px, room.height() - frame_px))
+        self.resize(bounded(self, QSize(self.width(), wanted)))
+        below = self.frameGeometry().bottom() - room.bottom()
+        if below > 0:
+            self.move(self.x(), max(room.top(), self.y() - below))
+
+    def _room(self) -> QRect:
+        """Return where its frame may be: on the screen, above what is below the view."""
+        room = self.screen().availableGeometry()
+        if self._view is not None:
+            below_view = self._view.mapToGlobal(QPoint(0, self._view.height()))
+            room.setBottom(min(room.bottom(), below_view.y() - 1))
+        return room
 
     def _ask(self, _value: object) -> None:
         self.asked.emit()
