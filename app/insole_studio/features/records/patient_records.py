@@ -392,14 +392,23 @@ class PatientRecords(QObject):
             return
 
         def show(before: Sequence[FollowUp]) -> None:
-            dialog = FollowUpDialog(person.id, before, self._services.window)
-            dialog.finished.connect(dialog.deleteLater)
-            dialog.accepted.connect(lambda: self._add_follow_up(dialog.follow_up()))
-            dialog.open()
+            self._show_follow_ups(before, FollowUp(person.id, date.today(), ""))
 
         self._clinic.ask(
             "records-follow-ups", lambda r: r.follow_ups.of_person(person.id), show, self._tell
         )
+
+    def _show_follow_ups(
+        self, before: Sequence[FollowUp], begun: FollowUp
+    ) -> FollowUpDialog | None:
+        """Show follow-ups and the form of another one, unless nobody may see them meanwhile."""
+        if self._clinic.hides_patients:
+            return None
+        dialog = FollowUpDialog(begun, before, self._services.window)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.accepted.connect(lambda: self._add_follow_up(before, dialog.follow_up()))
+        dialog.open()
+        return dialog
 
     @property
     def name_on_page(self) -> str:
@@ -416,8 +425,11 @@ class PatientRecords(QObject):
         """Why no new visit of the person on the page can take the last prescription."""
         return "" if self._person_presenter is None else self._person_presenter.why_not_same
 
-    def _add_follow_up(self, follow_up: FollowUp) -> None:
-        self._clinic.write(lambda r: r.follow_ups.add(follow_up), _nothing, self._tell)
+    def _add_follow_up(self, before: Sequence[FollowUp], follow_up: FollowUp) -> None:
+        def failed(error: Exception) -> None:
+            self._tell(error, self._show_follow_ups(before, follow_up))
+
+        self._clinic.write(lambda r: r.follow_ups.add(follow_up), _nothing, failed)
 
     def _open_order(self, order_id: str) -> None:
         """Open the visit of an order, on whichever page it is listed."""
@@ -457,15 +469,23 @@ class PatientRecords(QObject):
     def _edit_visit(self, visit_id: str) -> None:
         assert self._person_presenter is not None
         shown = self._person_presenter.visit_of(visit_id)
-        if shown is None:
-            return
-        dialog = VisitDialog(shown.visit, self._services.window)
+        if shown is not None:
+            self._ask_visit(shown.visit, shown.visit)
+
+    def _ask_visit(self, before: Visit, typed: Visit) -> VisitDialog | None:
+        """Show the form of a visit with what was typed, unless nobody may see it meanwhile."""
+        if self._clinic.hides_patients:
+            return None
+        dialog = VisitDialog(typed, self._services.window)
         dialog.finished.connect(dialog.deleteLater)
-        dialog.accepted.connect(lambda: self._change_visit(shown.visit, dialog.value))
+        dialog.accepted.connect(lambda: self._change_visit(before, dialog.value))
         dialog.open()
+        return dialog
 
     def _change_visit(self, before: Visit, visit: Visit) -> None:
         """Store the fields of a visit that were changed, over what others have changed meanwhile.
+
+        What was typed is shown again where the record does not take it.
 
         Parameters
         ----------
@@ -477,7 +497,7 @@ class PatientRecords(QObject):
             if isinstance(error, Conflict):
                 self._change_over(before, visit, error.theirs)
             else:
-                self._tell(error)
+                self._tell(error, self._ask_visit(before, visit))
 
         self._clinic.write(
             lambda records: records.visits.change(visit, visit.revision), _nothing, failed
@@ -728,7 +748,7 @@ class PatientRecords(QObject):
                 )
 
         def failed(error: Exception) -> None:
-            self._services.messages.show_error(error, self._ask_new_patient(person))
+            self._tell(error, self._ask_new_patient(person))
 
         self._clinic.write(add, added, failed)
 

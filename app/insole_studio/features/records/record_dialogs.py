@@ -141,23 +141,31 @@ class OrderDialog(FieldsDialog[Order]):
 
 
 class FollowUpDialog(QDialog):
-    """The follow-ups of a person, the newest first, and a form for another one."""
+    """The follow-ups of a person, the newest first, and a form for another one.
+
+    Parameters
+    ----------
+    begun
+        What is filled in of that to begin with.
+    """
 
     def __init__(
-        self, person_id: str, before: Sequence[FollowUp], parent: QWidget | None = None
+        self, begun: FollowUp, before: Sequence[FollowUp], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Follow-up"))
         self.resize(*_FOLLOW_UPS_SIZE)
-        self._person_id = person_id
+        self._person_id = begun.person_id
         fields = typed_fields(FollowUp)
         day, outcome, notes = (label_of(FollowUp, name) for name in fields)
         self.table = RowTable((day, outcome, notes, tr("By")), stretched=2)
         self.table.setAccessibleName(tr("Follow-ups so far"))
         self.table.show_rows([_row(follow_up) for follow_up in before])
         self.outcome = new_line(fields["outcome"])
+        self.outcome.setText(begun.outcome)
         self.outcome.setPlaceholderText(tr("Better, the same, worse; in a word or two"))
         self.notes = NotesField()
+        self.notes.setPlainText(begun.notes)
         buttons = QDialogButtonBox()
         role = QDialogButtonBox.ButtonRole
         self.add = buttons.addButton(tr("Add follow-up"), role.AcceptRole)

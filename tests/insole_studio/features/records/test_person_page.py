@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import date, timedelta
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 import pytest
@@ -375,6 +375,69 @@ def test_the_fields_of_a_visit_are_edited(
     stored = records.visits.get(visit.id)
     assert stored.weight_kg == 72.5
     assert stored.capture_state is CaptureState.WANTED
+
+
+FULL = "The disk is full; make room on it."
+
+
+def refuse(*_given: object) -> NoReturn:
+    raise RecordsError(FULL)
+
+
+def test_the_fields_of_a_visit_that_were_not_stored_are_still_in_the_form(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    monkeypatch: pytest.MonkeyPatch,
+    rest: Callable[[], None],
+) -> None:
+    press(page, visit, "edit")
+    (dialog,) = clinic.window.findChildren(VisitDialog)
+    dialog.editors["weight_kg"].setText("72,5")
+    dialog.capture.setChecked(True)
+    with monkeypatch.context() as full:
+        full.setattr(records.visits, "change", refuse)
+        QTest.mouseClick(dialog.keep, LEFT)
+        rest()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    (dialog,) = clinic.window.findChildren(VisitDialog)
+    (told,) = clinic.services.messages.dialogs
+    assert (told.text(), told.parent()) == (FULL, dialog)
+    told.accept()
+    assert dialog.editors["weight_kg"].text() == "72.5"
+    QTest.mouseClick(dialog.keep, LEFT)
+    rest()
+    stored = records.visits.get(visit.id)
+    assert (stored.weight_kg, stored.capture_state) == (72.5, CaptureState.WANTED)
+
+
+def test_a_follow_up_that_was_not_stored_is_still_in_the_form(
+    page: PersonPage,
+    clinic: Application,
+    records: Records,
+    visit: Visit,
+    monkeypatch: pytest.MonkeyPatch,
+    rest: Callable[[], None],
+) -> None:
+    clinic.controller.run_action("follow_up", False)
+    rest()
+    (dialog,) = clinic.window.findChildren(FollowUpDialog)
+    QTest.keyClicks(dialog.outcome, "Better")
+    dialog.notes.setPlainText("Walks to work again")
+    with monkeypatch.context() as full:
+        full.setattr(records.follow_ups, "add", refuse)
+        QTest.mouseClick(dialog.add, LEFT)
+        rest()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    (dialog,) = clinic.window.findChildren(FollowUpDialog)
+    (told,) = clinic.services.messages.dialogs
+    assert (told.text(), told.parent()) == (FULL, dialog)
+    told.accept()
+    QTest.mouseClick(dialog.add, LEFT)
+    rest()
+    (added,) = records.follow_ups.of_person(visit.person_id)
+    assert (added.outcome, added.notes) == ("Better", "Walks to work again")
 
 
 def test_versions_say_what_they_changed_and_are_signed(
