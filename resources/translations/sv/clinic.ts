@@ -12,6 +12,10 @@
             <translation> år efter den sista posten</translation>
         </message>
         <message>
+            <source>A backup is being made.</source>
+            <translation>En säkerhetskopia görs just nu.</translation>
+        </message>
+        <message>
             <source>A folder on a share that all stations reach</source>
             <translation>En mapp på en delad plats som alla stationer når</translation>
         </message>
@@ -162,6 +166,10 @@
         <message>
             <source>Check the audit log, the signatures and all files</source>
             <translation>Kontrollera loggen, signaturerna och alla filer</translation>
+        </message>
+        <message>
+            <source>Choose a backup in the list first.</source>
+            <translation>Välj en säkerhetskopia i listan först.</translation>
         </message>
         <message>
             <source>Choose a folder and one of its backups first.</source>
@@ -544,6 +552,10 @@
             <translation>Visa innehållet</translation>
         </message>
         <message>
+            <source>Show what the backup holds first.</source>
+            <translation>Visa först vad säkerhetskopian innehåller.</translation>
+        </message>
+        <message>
             <source>Sign in</source>
             <translation>Logga in</translation>
         </message>
@@ -636,6 +648,10 @@
             <translation>Journalen är som den var {moment}: {rows} och {files}.</translation>
         </message>
         <message>
+            <source>The record is being asked about its backups.</source>
+            <translation>Journalen tillfrågas om sina säkerhetskopior.</translation>
+        </message>
+        <message>
             <source>The record is kept for</source>
             <translation>Journalen sparas i</translation>
         </message>
@@ -662,6 +678,10 @@
         <message>
             <source>The window is locked</source>
             <translation>Fönstret är låst</translation>
+        </message>
+        <message>
+            <source>There are no older lines.</source>
+            <translation>Det finns inga äldre rader.</translation>
         </message>
         <message>
             <source>There is no backup yet: what is in the record is lost if its disk fails.</source>
@@ -750,6 +770,10 @@
         <message>
             <source>Visits</source>
             <translation>Besök</translation>
+        </message>
+        <message>
+            <source>Wait until the record is restored, or cancel that.</source>
+            <translation>Vänta tills journalen är återställd, eller avbryt det.</translation>
         </message>
         <message>
             <source>When</source>

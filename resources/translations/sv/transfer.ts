@@ -20,6 +20,10 @@
             <translation>Lägg till {count}</translation>
         </message>
         <message>
+            <source>Choose first which names are right.</source>
+            <translation>Välj först vilka namn som är rätt.</translation>
+        </message>
+        <message>
             <source>Column {number}</source>
             <translation>Kolumn {number}</translation>
         </message>
@@ -90,6 +94,18 @@
         <message>
             <source>Table</source>
             <translation>Tabell</translation>
+        </message>
+        <message>
+            <source>The file is being read.</source>
+            <translation>Filen läses.</translation>
+        </message>
+        <message>
+            <source>There is nobody to add.</source>
+            <translation>Det finns ingen att lägga till.</translation>
+        </message>
+        <message>
+            <source>There is nothing to report.</source>
+            <translation>Det finns inget att rapportera.</translation>
         </message>
         <message>
             <source>Two that turn out to be one can be merged later.</source>

@@ -23,7 +23,7 @@ from insole_studio.features.clinic.verify_dialog import VerifyingDialog
 from insole_studio.jobs import Jobs
 from insole_studio.texts import moment_text, tr, translate_core_message
 from insole_studio.widgets.date_field import DateField
-from insole_studio.widgets.form_parts import ComboBox
+from insole_studio.widgets.form_parts import ComboBox, allow
 from insole_studio.widgets.row_table import RowTable, TableRow
 
 if TYPE_CHECKING:
@@ -193,7 +193,7 @@ class AuditDialog(VerifyingDialog):
 
     def _show_more(self, lines: list[ShownLine]) -> None:
         self._lines += lines
-        self.more.setEnabled(len(lines) == _PAGE)
+        allow(self.more, "" if len(lines) == _PAGE else tr("There are no older lines."))
         self.table.show_rows([_row(shown) for shown in self._lines])
 
     def _verify(self) -> None:

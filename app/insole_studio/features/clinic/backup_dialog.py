@@ -31,7 +31,7 @@ from insole_studio.services.files import Kept
 from insole_studio.services.user_messages import UserMessages
 from insole_studio.settings import LAST_HOUR, BackupDay, BackupKeep, Settings
 from insole_studio.texts import fill, moment_text, tr
-from insole_studio.widgets.form_parts import ComboBox, mark_labels, plain_button
+from insole_studio.widgets.form_parts import ComboBox, allow, mark_labels, plain_button
 from insole_studio.widgets.message_label import ProgressBar
 
 if TYPE_CHECKING:
@@ -159,7 +159,10 @@ class BackupDialog(RecordDialog):
 
     def _allow(self) -> None:
         is_running = self._backups.is_running
-        self.now.setEnabled(self._state is not None and not is_running)
+        why_not = tr("A backup is being made.") if is_running else ""
+        if self._state is None:
+            why_not = tr("The record is being asked about its backups.")
+        allow(self.now, why_not)
         self.cancel.setVisible(is_running)
         self.hour.setEnabled(self.day.currentData() != "never")
 

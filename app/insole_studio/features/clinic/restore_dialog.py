@@ -20,7 +20,7 @@ from insole_studio.jobs import JobProgress, Result, Task
 from insole_studio.services.app_services import AppServices
 from insole_studio.services.files import Kept
 from insole_studio.texts import fill, moment_text, tr, translate_core_message
-from insole_studio.widgets.form_parts import mark_labels, plain_button
+from insole_studio.widgets.form_parts import allow, mark_labels, plain_button
 from insole_studio.widgets.message_label import MessageLabel, ProgressBar
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -248,9 +248,12 @@ class RestoreDialog(RecordDialog):
 
     def _allow(self) -> None:
         is_running = self._jobs.is_running(_RESTORE)
-        self.restore_button.setEnabled(self._is_opened and not is_running)
-        self.show_button.setEnabled(bool(self.table.current_key) and not is_running)
-        self.close_button.setEnabled(not is_running)
+        busy = tr("Wait until the record is restored, or cancel that.") if is_running else ""
+        unopened = "" if self._is_opened else tr("Show what the backup holds first.")
+        unchosen = "" if self.table.current_key else tr("Choose a backup in the list first.")
+        allow(self.restore_button, busy or unopened)
+        allow(self.show_button, busy or unchosen)
+        allow(self.close_button, busy)
         self.cancel.setVisible(is_running)
 
     def _cancel(self) -> None:

@@ -26,8 +26,8 @@ from insole_core.records.person_table import IMPORTED, ColumnMapping
 from insole_core.records.text_table import Reading, TextTable
 from insole_core.visible_text import visible_line, visible_value
 from insole_studio.features.records.record_form import choice_box
-from insole_studio.texts import tr, translate_core_message
-from insole_studio.widgets.form_parts import ComboBox
+from insole_studio.texts import tr, translate_core_message, with_capital
+from insole_studio.widgets.form_parts import ComboBox, allow
 from insole_studio.widgets.message_label import MessageLabel
 from insole_studio.widgets.row_table import RowTable, TableRow
 
@@ -127,8 +127,9 @@ class ImportDialog(QDialog):
         if sentence:
             self.show_rows((), "")
         self.trouble.say(sentence)
-        self.add_button.setEnabled(False)
-        self.report_button.setEnabled(False)
+        why_not = translate_core_message(sentence) or tr("The file is being read.")
+        for button in (self.add_button, self.report_button):
+            allow(button, with_capital(why_not))
 
     def show_rows(self, rows: Sequence[ImportRow], counts: str) -> None:
         """Show what becomes of each row; what needs a look comes first.
@@ -145,7 +146,7 @@ class ImportDialog(QDialog):
         shown = sorted(self.rows, key=lambda row: order.index(row.outcome))
         self.table.show_rows([_table_row(number, row) for number, row in enumerate(shown)])
         self.with_doubtful.setVisible(self._count(Outcome.DOUBTFUL) > 0)
-        self.report_button.setEnabled(bool(self.rows))
+        allow(self.report_button, "" if self.rows else tr("There is nothing to report."))
         self._show_button()
 
     @property
@@ -156,7 +157,7 @@ class ImportDialog(QDialog):
         count = self._count(Outcome.NEW)
         count += self._count(Outcome.DOUBTFUL) if self._adds_doubtful else 0
         self.add_button.setText(tr("Add {count}").format(count=count))
-        self.add_button.setEnabled(count > 0)
+        allow(self.add_button, "" if count else tr("There is nobody to add."))
 
     def _count(self, outcome: Outcome) -> int:
         return sum(row.outcome is outcome for row in self.rows)
@@ -321,14 +322,14 @@ class CharacterSetDialog(QDialog):
             layout.addWidget(button)
         buttons = QDialogButtonBox()
         self.read = buttons.addButton(tr("Read it so"), QDialogButtonBox.ButtonRole.AcceptRole)
-        self.read.setEnabled(False)
+        allow(self.read, tr("Choose first which names are right."))
         buttons.addButton(tr("Cancel"), QDialogButtonBox.ButtonRole.RejectRole)
         buttons.accepted.connect(self._choose)
         buttons.rejected.connect(self.reject)
         layout.addWidget(buttons)
 
     def _allow(self) -> None:
-        self.read.setEnabled(True)
+        allow(self.read, "")
 
     def _choose(self) -> None:
         self.accept()

@@ -77,6 +77,8 @@ def test_a_backup_counts_the_patients_that_a_restoration_counts(
     dialog.show_button.click()
     rest()
     assert "It holds: patients 1," in dialog.contents.text()
+    assert dialog.restore_button.isEnabled()
+    assert dialog.restore_button.toolTip() == ""
 
 
 def test_the_first_backup_asks_for_a_passphrase_and_tells_that_it_was_checked(
@@ -335,6 +337,9 @@ def test_a_folder_with_no_finished_backup_is_told_before_a_restore(
     rest()
     assert "holds no finished backup" in dialog.message.text()
     assert dialog.table.rows == ()
+    assert not dialog.show_button.isEnabled()
+    assert dialog.show_button.toolTip() == "Choose a backup in the list first."
+    assert dialog.restore_button.toolTip() == "Show what the backup holds first."
 
 
 def test_a_restore_waits_until_a_backup_has_stopped(

@@ -54,6 +54,7 @@ def test_a_table_is_imported_once_the_order_of_days_was_said(
     assert "day or the month" in dialog.trouble.text()
     assert dialog.rows == ()
     assert not dialog.add_button.isEnabled()
+    assert dialog.add_button.toolTip() != ""
     assert dialog.order.isVisible()
     _choose(dialog.order, "day first")
     rest()
@@ -87,6 +88,7 @@ def test_names_of_an_unclear_character_set_are_chosen_by_reading_them(
     assert texts["cp1252"] == "Ayþe, Þahin   (Western European)"
     assert texts["cp1254"] == "Ayşe, Şahin   (Turkish)"
     assert not asked.read.isEnabled()
+    assert asked.read.toolTip() == "Choose first which names are right."
     asked.readings["cp1254"].click()
     QTest.mouseClick(asked.read, Qt.MouseButton.LeftButton)
     rest()
