@@ -9,7 +9,7 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from insole_core.errors import UsageError
+from insole_core.errors import InputError, UsageError
 from insole_core.formats.file_formats import can_carry, carriers
 from insole_core.progress import Progress
 from insole_core.visible_text import visible_line
@@ -18,6 +18,7 @@ from insole_studio.cli.argument_parser import check_within, from_one, number
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
+    from insole_core.export.shop_order import OrderTerms
     from insole_core.geometry.mesh import TriangleMesh
     from insole_core.geometry.side import Side
     from insole_core.insole.build import Insole
@@ -147,13 +148,28 @@ def outputs(arguments: argparse.Namespace) -> AbstractContextManager[ExportPaths
 
 
 def _check_sizes(arguments: argparse.Namespace) -> None:
+    from insole_core.export.shop_order import OrderTerms
     from insole_core.solids.export_rules import GREATEST_CUTTER_MM, LEAST_CUTTER_MM
     from insole_core.solids.solid import LIMITS
 
+    check_terms(OrderTerms(lot=arguments.lot))
     check_within("--draft", arguments.draft, *LIMITS["draft_deg"])
     check_within("--chamfer", arguments.chamfer, *LIMITS["chamfer_mm"])
     if arguments.cutter is not None:
         check_within("--cutter", arguments.cutter, LEAST_CUTTER_MM, GREATEST_CUTTER_MM, "mm")
+
+
+def check_terms(terms: OrderTerms) -> None:
+    """Check what the call wishes of an order, before anything is read.
+
+    Raises
+    ------
+    UsageError
+    """
+    try:
+        terms.check(date.today())
+    except InputError as error:
+        raise UsageError("{reason}", reason=error.message) from error
 
 
 def _check_milling(arguments: argparse.Namespace) -> None:
@@ -204,7 +220,6 @@ def deliver(
 
     shop = read_shop(arguments.shop)
     terms = OrderTerms(lot=arguments.lot)
-    terms.check(date.today())
     known = pseudonym(arguments)
     block = None if arguments.block is None else find_block(shop, arguments.block)
     responsible = _responsible(arguments, insoles)
@@ -258,7 +273,8 @@ def _mill(
         print(f"Warning: {note}", file=sys.stderr)
     write_milling(
         plan, block, places(arguments), beside,
-        identification=job.identification, progress=progress.part(0.7, 1.0),
+        identification={**job.identification, "date": date.today().isoformat()},
+        progress=progress.part(0.7, 1.0),
     )  # fmt: skip
 
 

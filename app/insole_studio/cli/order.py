@@ -19,6 +19,7 @@ from insole_core.messages import counted
 from insole_core.progress import SILENT, Progress
 from insole_core.visible_text import visible_line
 from insole_studio.cli.argument_parser import Command, Step, add_steps, day, from_one
+from insole_studio.cli.export_arguments import check_terms
 from insole_studio.cli.order_nest import NEST
 from insole_studio.cli.path_arguments import OutputPath
 from insole_studio.cli.records.arguments import add_language, wording_of
@@ -89,7 +90,7 @@ def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
     check_once(arguments.cases, "{path} is named twice; order more of a case with --quantity.")
     now = datetime.now().astimezone()
     terms = _terms(arguments)
-    terms.check(now.date())
+    check_terms(terms)
     number = arguments.number or new_order_number(now.date())
     shop = read_shop(arguments.shop)
     items = _items(arguments, terms, number, shop, progress)

@@ -173,7 +173,8 @@ def _corner(page_mm: tuple[float, float], size_mm: tuple[float, float]) -> tuple
     if any(size > page - 2 * _MARGIN_MM for size, page in zip(size_mm, page_mm, strict=True)):
         raise UsageError(
             "A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of "
-            "{page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.",
+            "{page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page, or make the "
+            "drawing smaller.",
             width_mm=size_mm[0],
             height_mm=size_mm[1],
             page_width_mm=page_mm[0],

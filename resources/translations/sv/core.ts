@@ -208,8 +208,8 @@
             <translation>Ett styrpinnshål på {hole:g} mm kan inte borras med fräsen ”{cutter}”; välj en tjockare styrpinne.</translation>
         </message>
         <message>
-            <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page or a smaller board.</source>
-            <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper eller ett mindre bräde.</translation>
+            <source>A drawing of {width_mm:.0f}×{height_mm:.0f} mm does not fit a page of {page_width_mm:.0f}×{page_height_mm:.0f} mm; choose a larger page, or make the drawing smaller.</source>
+            <translation>En ritning på {width_mm:.0f}×{height_mm:.0f} mm får inte plats på en sida på {page_width_mm:.0f}×{page_height_mm:.0f} mm; välj ett större papper, eller gör ritningen mindre.</translation>
         </message>
         <message>
             <source>A flat sheet of {area_cm2:.0f} cm² (floor, table or glass) was cut off.</source>

@@ -92,7 +92,7 @@ def test_blocking_rule_and_its_override(
         (["--job-sheet", "{tmp}/sheet.txt"], 2, "written as .pdf"),
         (["--triangles", "50"], 1, "too few"),
         (["--mark", " "], 1, "identification is empty"),
-        (["--lot", "7" * 300], 1, "The lot of the material of the order has 300"),
+        (["--lot", "7" * 300], 2, "The lot of the material of the order has 300"),
         (["--draft", "80"], 2, "--draft is 80, and must be -15 to 30 degrees."),
         (["--chamfer", "-1"], 2, "--chamfer is -1, and must be 0 to 10 mm."),
         (["--rules", "{tmp}/none.json"], 1, "cannot be read"),

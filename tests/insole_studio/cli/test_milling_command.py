@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from datetime import date
 from pathlib import Path
 
 import numpy as np
 import pytest
+from read_pdf import text_of_pdf
 
 from insole_core.formats.ply import write_ply
 from insole_core.geometry.side import Side
@@ -38,7 +40,9 @@ def test_the_program_lies_beside_the_solid(
         assert lines[0] == "(P-7)"
         assert lines[-1] == "M2"
     assert solid.stat().st_size > 1000
-    assert (tmp_path / "setup.pdf").read_bytes().startswith(b"%PDF")
+    sheet = text_of_pdf(tmp_path / "setup.pdf")
+    assert "P-7" in sheet
+    assert date.today().isoformat() in sheet
 
 
 @pytest.mark.slow
