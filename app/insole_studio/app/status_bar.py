@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton, QWi
 from insole_studio.jobs import JobProgress, Jobs
 from insole_studio.texts import tr, translate_core_message
 from insole_studio.widgets.elided_label import ElidedLabel
-from insole_studio.widgets.icons import icon
+from insole_studio.widgets.icons import give_icon
 
 SHOW_AFTER_MS = 300
 LEAST_SENTENCE_PX = 56
@@ -34,6 +34,7 @@ class StatusBar(QStatusBar):
         self._bar.setFixedSize(144, 12)
         self._bar.setTextVisible(False)
         self._cancel = QToolButton()
+        give_icon(self._cancel, "remove")
         self._cancel.setToolTip(tr("Cancel"))
         self._cancel.setAutoRaise(True)
         self._cancel.clicked.connect(self._request_cancel)
@@ -102,7 +103,6 @@ class StatusBar(QStatusBar):
             self._patience.start()
 
     def _show_work(self) -> None:
-        self._cancel.setIcon(icon("remove"))
         for widget in (self._work, self._bar, self._cancel):
             widget.show()
 

@@ -162,6 +162,10 @@ def _style_sheet(colors: Colors) -> str:
     QDockWidget::title {{ background: {colors.raised}; padding: 4px 8px; }}
     QMainWindow::separator {{ background: {colors.line}; width: 3px; height: 3px; }}
     QMenu {{ menu-scrollable: 1; }}
+    QMenu::item {{ padding: 4px 20px; border: 1px solid transparent; }}
+    QMenu::item:selected {{ background: {colors.raised}; border-color: {colors.accent}; }}
+    QMenu::indicator {{ left: 5px; }}
+    QMenu::separator {{ height: 1px; background: {colors.line}; margin: 2px 0; }}
     QMenu::icon {{ left: 5px; border: 1px solid transparent; border-radius: 4px; }}
     QMenu::icon:checked {{ background: {colors.accent}; border-color: {colors.on_accent}; }}
     QStatusBar {{ border-top: 1px solid {colors.line}; }}
@@ -173,10 +177,11 @@ def _box_sheet(colors: Colors) -> str:
     """Return the style sheet of boxes to tick: Fusion's have no edge that is seen on dark."""
     check = _sign("check", colors)
     return f"""
-    QCheckBox::indicator, QAbstractItemView::indicator {{
+    QCheckBox::indicator, QAbstractItemView::indicator, QMenu::indicator:non-exclusive {{
         width: 14px; height: 14px; border: 1px solid {colors.quiet}; border-radius: 3px;
         background: {colors.base}; }}
-    QCheckBox::indicator:checked, QAbstractItemView::indicator:checked {{
+    QCheckBox::indicator:checked, QAbstractItemView::indicator:checked,
+    QMenu::indicator:non-exclusive:checked {{
         background: {colors.accent}; border-color: {colors.accent}; image: url("{check}"); }}
     QRadioButton {{ border: 2px solid transparent; padding: 2px; }}
     QRadioButton::indicator {{
@@ -233,6 +238,7 @@ def _touch_sheet(colors: Colors) -> str:
     QLineEdit QToolButton {{ min-width: 0; min-height: 0; }}
     QLabel[form="true"] {{ min-height: 44px; }}
     QMenu::item, QMenuBar::item {{ padding: 12px 20px; }}
+    QMenuBar::item:selected {{ background: {colors.raised}; }}
     QMenu::icon, QMenu::indicator {{ left: 8px; }}
     QMenu::separator {{ height: 1px; background: {colors.line}; }}
     QMenu::scroller {{ height: 44px; }}

@@ -6,7 +6,9 @@ from functools import cache
 from pathlib import Path
 
 import qtawesome
+from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QGuiApplication, QIcon, QPalette
+from PySide6.QtWidgets import QAbstractButton
 from qtawesome.iconic_font import IconicFont
 
 _NAMES = {
@@ -85,3 +87,23 @@ def _letters() -> IconicFont:
     (font,) = folder.glob("materialdesignicons6-*.ttf")
     (names,) = folder.glob("materialdesignicons6-*.json")
     return IconicFont(("mdi6", font.name, names.name, str(folder)))
+
+
+class _Redrawn(QObject):
+    """Draws the icon of a button again when the colours of the palette change."""
+
+    def __init__(self, button: QAbstractButton, name: str) -> None:
+        super().__init__(button)
+        self._name = name
+        button.setIcon(icon(name))
+        button.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.PaletteChange and isinstance(watched, QAbstractButton):
+            watched.setIcon(icon(self._name))
+        return super().eventFilter(watched, event)
+
+
+def give_icon(button: QAbstractButton, name: str) -> None:
+    """Give a button an icon that stays in the colours of the palette, also in another theme."""
+    _Redrawn(button, name)

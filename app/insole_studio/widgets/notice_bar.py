@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from insole_studio.texts import tr
 from insole_studio.widgets.elided_label import ElidedLabel
-from insole_studio.widgets.icons import icon
+from insole_studio.widgets.icons import give_icon
 from insole_studio.widgets.layouts import FlowLayout, remove_widgets
 
 LEAST_PX = 640
@@ -126,7 +126,7 @@ class _Line(QFrame):
 
 def _button(icon_name: str, tip: str) -> QToolButton:
     button = QToolButton()
-    button.setIcon(icon(icon_name))
+    give_icon(button, icon_name)
     button.setAutoRaise(True)
     button.setToolTip(tip)
     button.setAccessibleName(tip)

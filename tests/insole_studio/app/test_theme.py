@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QAction, QColor
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -23,6 +23,8 @@ from pytestqt.qtbot import QtBot
 from insole_studio.app.bootstrap import Application
 from insole_studio.app.theme import DARK, LIGHT, Colors, apply_theme
 from insole_studio.scene.painter import MATERIAL, Scheme
+from insole_studio.widgets.icons import icon
+from insole_studio.widgets.notice_bar import NoticeBar
 from insole_studio.widgets.side_switch import COLORS
 
 TEXT, GRAPHICS = 4.5, 3.0
@@ -83,6 +85,61 @@ def test_a_box_to_tick_is_seen(qapp: QApplication, qtbot: QtBot, dark: bool, tic
     assert max(contrast(color, ground) for color in seen) >= GRAPHICS
 
 
+def colors_in(menu: QMenu, action: QAction) -> set[str]:
+    """The colours of the place where the box or the icon of a line is."""
+    place = menu.actionGeometry(action)
+    place.setWidth(ICON_PX)
+    image = menu.grab(place).toImage()
+    places = [(x, y) for x in range(image.width()) for y in range(image.height())]
+    return {image.pixelColor(x, y).name() for x, y in places}
+
+
+@pytest.mark.parametrize("touch", [False, True])
+@pytest.mark.parametrize("dark", [False, True])
+def test_the_boxes_of_a_menu_are_seen_and_which_line_is_chosen(
+    qapp: QApplication, qtbot: QtBot, dark: bool, touch: bool
+) -> None:
+    apply_theme(qapp, dark, touch)
+    menu = QMenu()
+    qtbot.addWidget(menu)
+    empty, ticked, plain = (menu.addAction(text) for text in ("empty", "ticked", "plain"))
+    for action in (empty, ticked):
+        action.setCheckable(True)
+    ticked.setChecked(True)
+    menu.popup(QPoint(0, 0))
+    qtbot.waitUntil(menu.isVisible)
+    seen, boxed, nothing = (colors_in(menu, action) for action in (empty, ticked, plain))
+    qtbot.keyClick(menu, Qt.Key.Key_End)
+    chosen = colors_in(menu, plain)
+    menu.close()
+    apply_theme(qapp, dark=False)
+    colors = DARK if dark else LIGHT
+    assert max(contrast(color, colors.window) for color in seen) >= GRAPHICS
+    assert colors.accent not in seen | nothing
+    assert colors.accent in boxed
+    assert colors.accent in chosen
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_the_signs_to_dismiss_and_to_cancel_follow_the_theme(
+    app: Application, qapp: QApplication, dark: bool
+) -> None:
+    apply_theme(qapp, not dark)
+    app.services.notices.put("x", "A notice.")
+    bar = app.window.findChild(NoticeBar)
+    assert isinstance(bar, NoticeBar)
+    apply_theme(qapp, dark)
+    (dismiss,) = [b for b in bar.findChildren(QToolButton) if b.toolTip() == "Dismiss"]
+    (cancel,) = [
+        b for b in app.window.statusBar().findChildren(QToolButton) if b.toolTip() == "Cancel"
+    ]
+    expected = icon("remove").pixmap(ICON_PX).toImage()
+    images = [button.icon().pixmap(ICON_PX).toImage() for button in (dismiss, cancel)]
+    app.services.notices.drop("x")
+    apply_theme(qapp, dark=False)
+    assert images == [expected, expected]
+
+
 @pytest.mark.parametrize("dark", [False, True])
 @pytest.mark.parametrize("ticked", [False, True])
 def test_the_icon_of_a_menu_is_seen_and_whether_it_is_ticked(
@@ -95,11 +152,7 @@ def test_the_icon_of_a_menu_is_seen_and_whether_it_is_ticked(
     app.window.check_action("linked", ticked)
     (menu,) = [one for one in app.window.menuBar().findChildren(QMenu) if action in one.actions()]
     menu.popup(app.window.pos())
-    place = menu.actionGeometry(action)
-    place.setWidth(ICON_PX)
-    image = menu.grab(place).toImage()
-    places = [(x, y) for x in range(image.width()) for y in range(image.height())]
-    seen = {image.pixelColor(x, y).name() for x, y in places}
+    seen = colors_in(menu, action)
     menu.close()
     apply_theme(qapp, dark=False)
     app.window.renew_icons()
