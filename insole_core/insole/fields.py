@@ -71,7 +71,7 @@ class Declared:
         How it is said where a correction is told by its main values, such as
         ``"{value} at the rearfoot"``; None if it is not among them.
     main_below
-        The same of a number below 0, whose sign it says in words; empty if the sign is said.
+        The same of a number shown below 0, whose sign it says in words; empty if the sign is said.
     within
         What the label belongs to, where it stands alone among differences.
     effect
@@ -143,6 +143,16 @@ class Number(Declared):
         """The template of the number with its unit."""
         between = "" if self.shown_unit in ("°", "") else " "
         return self.template or f"{{value}}{between}{self.shown_unit}"
+
+
+@dataclass(frozen=True)
+class Depth(Number):
+    """A height that is told by how far it lies below: shown > 0 where it is stored < 0."""
+
+    @property
+    def factor(self) -> float:
+        """By which a stored number is multiplied to be shown."""
+        return -1
 
 
 @dataclass(frozen=True)

@@ -97,6 +97,8 @@ class Pelott(PadForm, Correction):
 
     def height_text(self) -> Message:
         """Return its height, or the depth of a recess."""
-        if self.height_mm >= 0:
+        if self.height_mm >= 0 and not self.is_recess:
             return mm_message(self.height_mm)
+        if self.height_mm > 0:
+            return Message("{height} mm high", height=number_message(self.height_mm))
         return Message("{depth} mm deep", depth=number_message(-self.height_mm))

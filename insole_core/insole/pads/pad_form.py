@@ -11,6 +11,8 @@ from insole_core.errors import DesignError
 from insole_core.insole.fields import (
     Angle,
     Choice,
+    Declared,
+    Depth,
     Line,
     Number,
     Pair,
@@ -70,6 +72,24 @@ LONGEST_KIND: Final = 60
 _SHAPE_WORDS = {shape: PAD_NAMES.get(shape, shape) for shape in PAD_SHAPES}
 _BEHIND_HEADS = ("egg", "drop", "bar")
 _FIRST_HEAD_FREE = ("reverse_mortons_extension", "dancers_pad")
+_RECESSES = (
+    "cut_out",
+    "first_ray_cut_out",
+    "fifth_ray_cut_out",
+    "heel_spur_recess",
+    "relief_base_5",
+    *(f"relief_head_{n}" for n in range(1, 6)),
+    *(f"relief_toe_{n}" for n in range(1, 6)),
+)
+"""Kinds, and the shape, that are laid to take pressure off what lies over them."""
+_DEPTH = Depth(
+    "Depth",
+    "Depth at the deepest place; below 0 it stands out of the insole",
+    -20,
+    20,
+    main="{value} deep",
+    main_below="{value} high",
+)
 _FILLERS = ("forefoot_filler", *(f"toe_filler_{n}" for n in range(1, 6)))
 
 
@@ -198,6 +218,17 @@ class PadForm(Part):
     def leaves_first_head_free(self) -> bool:
         """Whether it raises the lesser heads against the 1st."""
         return self.kind in _FIRST_HEAD_FREE
+
+    @property
+    def is_recess(self) -> bool:
+        """Whether it is to lie below the surface, and so is told by its depth."""
+        return (self.kind if self.kind in PAD_NAMES else self.shape) in _RECESSES
+
+    def declared(self, name: str) -> Declared:
+        """Return what a field is: the height of a recess is shown as its depth."""
+        if name == "height_mm" and self.is_recess:
+            return _DEPTH
+        return super().declared(name)
 
     @property
     def is_filler(self) -> bool:

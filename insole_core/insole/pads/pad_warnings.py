@@ -50,6 +50,13 @@ def overlaps(pads: Sequence[_Pad], rules: ClinicRules) -> Iterator[tuple[_Pad, M
 
 
 def _of_recess(pad: PadForm, rules: ClinicRules) -> Iterator[Message]:
+    if pad.is_recess and pad.height_mm > 0:
+        yield Message(
+            "The {pad} stands {height_mm:g} mm out of the insole and presses instead of relieving; "
+            "set a depth above 0.",
+            pad=pad.noun,
+            height_mm=rounded(pad.height_mm, SHOWN),
+        )
     if -pad.height_mm > rules.greatest_recess_depth_mm:
         yield Message(
             "The {pad} is {depth_mm:g} mm deep; up to {usual_mm:g} mm are usual.",

@@ -257,7 +257,8 @@ def _main(correction: Correction) -> Message:
 
 
 def _said(found: Declared, value: Any) -> Message:
-    if found.main_below and value < 0:
+    factor = found.factor if isinstance(found, Number) else 1
+    if found.main_below and factor * value < 0:
         return Message(found.main_below, value=worded(found, -value, _DECIMALS))
     said = worded(found, value, _DECIMALS)
     return Message(found.main, value=said) if found.main else said

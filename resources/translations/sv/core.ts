@@ -940,6 +940,10 @@
             <translation>Djup</translation>
         </message>
         <message>
+            <source>Depth at the deepest place; below 0 it stands out of the insole</source>
+            <translation>Djup i den djupaste punkten; under 0 sticker elementet upp ur inlägget</translation>
+        </message>
+        <message>
             <source>Depths at {distance_mm:.0f} mm differ by {share:+.1%} from the scale that was calibrated before, and one of the two is wrong; measure the side of the board's square, and the distances of the walls from the front of the sensor.</source>
             <translation>Djup vid {distance_mm:.0f} mm avviker med {share:+.1%} från den skala som kalibrerades förut, och en av de två är fel; mät sidan på brädets ruta, och väggarnas avstånd från sensorns framsida.</translation>
         </message>
@@ -4498,6 +4502,10 @@
         <message>
             <source>The {pad} reaches {over:.0f} mm beyond the shoe {shoe} and is cut there; move it or make it smaller.</source>
             <translation>Elementet {pad} når {over:.0f} mm utanför skon {shoe} och skärs av där; flytta det eller gör det mindre.</translation>
+        </message>
+        <message>
+            <source>The {pad} stands {height_mm:g} mm out of the insole and presses instead of relieving; set a depth above 0.</source>
+            <translation>Elementet ({pad}) sticker upp {height_mm:g} mm ur inlägget och trycker i stället för att avlasta; ange ett djup över 0.</translation>
         </message>
         <message>
             <source>The {side} foot has the shape of a {other} one; check which foot was scanned, and if the side is wrong, open the scan again as the {other} foot.</source>
@@ -9376,6 +9384,10 @@
             <translation>{height} ({length} × {width})</translation>
         </message>
         <message>
+            <source>{height} mm high</source>
+            <translation>{height} mm hög</translation>
+        </message>
+        <message>
             <source>{hours} h {minutes} min</source>
             <translation>{hours} h {minutes} min</translation>
         </message>
@@ -10602,6 +10614,14 @@
         <message>
             <source>{value} behind the heads</source>
             <translation>{value} bakom huvudena</translation>
+        </message>
+        <message>
+            <source>{value} deep</source>
+            <translation>{value} djup</translation>
+        </message>
+        <message>
+            <source>{value} high</source>
+            <translation>{value} hög</translation>
         </message>
         <message>
             <source>{value} long</source>

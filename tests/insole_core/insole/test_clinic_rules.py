@@ -27,11 +27,14 @@ from insole_core.insole.elements import (
     correction,
 )
 from insole_core.insole.elements.pad_places import placed_pad
+from insole_core.insole.elements.words import worded
 from insole_core.insole.outline.insole_outline import insole_outline
 from insole_core.insole.pads.clearance import behind_heads_mm
 from insole_core.insole.prescription.design import InsoleDesign
+from insole_core.insole.prescription.design_differences import design_differences
 from insole_core.insole.prescription.finish import Finish
 from insole_core.insole.prescription.outline import Outline
+from insole_core.insole.prescription.prescription_lines import correction_lines
 from insole_core.insole.prescription.rim_sliders import with_cup_depth
 from insole_core.insole.prescription.template import (
     Template,
@@ -371,6 +374,50 @@ def test_a_recess_deeper_than_usual_is_warned_of(left_foot):
     assert not [w for w in warnings(left_foot, usual, thickness_mm=14) if "deep" in w]
     (found,) = (w for w in warnings(left_foot, deep, thickness_mm=14) if "deep" in w)
     assert found == "The relief under the 3rd head is 10.4 mm deep; up to 10 mm are usual."
+
+
+RECESSES = sorted({pad.kind for pad in load_pads() if pad.template.height_mm < 0})
+
+
+def recess(foot, kind: str, height_mm: float) -> Pelott:
+    pad = next(pad for pad in load_pads() if pad.kind == kind)
+    template = replace(pad.template, id=kind, height_mm=height_mm)
+    return placed_pad(template, pad.place, foot.side, find_landmarks(foot), 8.0)
+
+
+@pytest.mark.parametrize("kind", RECESSES)
+def test_a_recess_is_told_by_its_depth(left_foot, kind):
+    deep, knob, flat = (recess(left_foot, kind, height) for height in (-3.5, 3.5, -1.0))
+    found = deep.declared("height_mm")
+    assert worded(found, deep.height_mm) == "3.5 mm"
+    assert worded(found, knob.height_mm) == "-3.5 mm"
+    before, *both = (InsoleDesign(left_foot.side, (pad,)) for pad in (flat, deep, knob))
+    for design, brief in zip(both, ("3.5 mm deep", "3.5 mm high"), strict=True):
+        assert str(design.corrections[0].brief()).startswith(brief)
+        (difference,) = design_differences(before, design)
+        told, _, now = difference.partition(" → ")
+        assert "1 mm deep" in told
+        assert now.startswith(brief)
+        (line,) = correction_lines(design)
+        assert f"Depth {worded(found, design.corrections[0].height_mm)};" in line
+        assert "Height" not in line
+
+
+def test_recesses_that_stand_out_are_warned_of(left_foot):
+    knobs, deep = ([recess(left_foot, kind, height) for kind in RECESSES] for height in (3.5, -0.5))
+    assert {
+        f"The {pad.noun} stands 3.5 mm out of the insole and presses instead of relieving; set a "
+        "depth above 0."
+        for pad in knobs
+    } == {sentence for sentence in warnings(left_foot, *knobs) if "stands" in sentence}
+    assert not [sentence for sentence in warnings(left_foot, *deep) if "stands" in sentence]
+
+
+def test_all_others_are_told_by_their_height():
+    others = [pad.template for pad in load_pads() if pad.template.height_mm > 0]
+    assert {pad.declared("height_mm").label for pad in others} == {"Height"}
+    own = replace(EGG, kind="My relief", shape="cut_out")
+    assert own.declared("height_mm").label == "Depth"  # a kind of the clinic's: by its shape
 
 
 def test_a_recess_through_the_bottom_is_refused(left_foot):

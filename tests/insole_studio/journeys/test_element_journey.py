@@ -140,10 +140,10 @@ def test_the_panel_shows_the_selected_element_whatever_was_selected_before(
     height = "correction.height_mm"
     of_arch = select(arch)
     kept = field(opened, "correction.target_mm")
-    assert select(second)[height] == -2.0
-    type_into(field(opened, height), "-1.5")
-    assert select(third)[height] == -2.0
-    assert select(second)[height] == -1.5
+    assert select(second)[height] == 2.0
+    type_into(field(opened, height), "1.5")
+    assert select(third)[height] == 2.0
+    assert select(second)[height] == 1.5
     assert select(arch) == of_arch
     assert field(opened, "correction.target_mm") is kept
     type_into(kept, "33")
@@ -151,13 +151,13 @@ def test_the_panel_shows_the_selected_element_whatever_was_selected_before(
     opened.case.undo()
     assert select(arch) == of_arch
     opened.case.undo()
-    assert select(second)[height] == -2.0
+    assert select(second)[height] == 2.0
     opened.case.select(None)
     act(opened, "variant_duplicate")
-    assert select(corrections(opened)[0].id)[height] == -2.0
-    type_into(field(opened, height), "-1")
+    assert select(corrections(opened)[0].id)[height] == 2.0
+    type_into(field(opened, height), "1")
     act(opened, "variant_next")
-    assert select(corrections(opened)[0].id)[height] == -2.0
+    assert select(corrections(opened)[0].id)[height] == 2.0
 
     place = select(corrections(opened)[0].id)["correction.centre_mm.0"]
     act(opened, "mirror_foot")
@@ -191,7 +191,7 @@ def test_reliefs_are_chosen_in_the_menu_deepened_moved_and_undone(
     for pad, head in ((second, HEADS[1]), (third, HEADS[2])):
         assert isinstance(pad, Pelott)
         assert pad.centre_mm == pytest.approx(landmarks[head].point[:2], abs=0.01)
-    type_into(field(opened, "correction.height_mm"), "-1.5")
+    type_into(field(opened, "correction.height_mm"), "1.5")
     start = pixel(foot, *third.centre_mm)
     drag(foot, start, start + QPoint(0, 15), start + QPoint(0, 30))
     moved = corrections(opened)[1]

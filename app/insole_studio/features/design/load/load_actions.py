@@ -11,6 +11,7 @@ from insole_core.contact.dose import Dose, DoseCurve
 from insole_core.contact.fit import Fitted
 from insole_core.geometry.side import Side
 from insole_core.insole.elements import Pelott
+from insole_core.insole.fields import Number
 from insole_studio.document.case_names import variant_heading
 from insole_studio.document.load_view import LoadView, Target
 from insole_studio.document.side_by_side import Beside
@@ -158,7 +159,7 @@ class LoadActions:
             text = tr("The height of this pad hardly matters there: it makes {low} to {high}.")
             dialog.dose.say(_span_text(text, curve))
         else:
-            dialog.dose.say(_dose_text(self._load.dose, name_of(pad), target.percent))
+            dialog.dose.say(_dose_text(self._load.dose, pad, target.percent))
 
     def _close(self) -> None:
         assert self._dialog is not None
@@ -250,9 +251,15 @@ def _span_text(text: str, curve: DoseCurve) -> str:
     return fill(text, low=low, high=high)
 
 
-def _dose_text(dose: Dose, pad: str, percent: float) -> str:
+def _dose_text(dose: Dose, pad: Pelott, percent: float) -> str:
     """Return which height reaches a change, with its own limits or why there are none."""
-    texts = {"dose": localised(dose.height_mm), "pad": pad, "percent": _percent(percent)}
+    found = pad.declared("height_mm")
+    assert isinstance(found, Number)
+    texts = {
+        "dose": localised(found.factor * dose.height_mm),  # as its field has it
+        "pad": name_of(pad),
+        "percent": _percent(percent),
+    }
     told = dose.told
     if told.reason or told.limits is None:
         return fill(
