@@ -48,6 +48,10 @@ _MOST_REMARKS: Final = 6
 """Lines of them on the drawing; the job sheet has them all."""
 _BESIDE_MM: Final = 9.0
 """On the paper between two thicknesses that can be read."""
+_THICKNESS_MM: Final = 4.0
+"""Length of the arrows of a thickness."""
+_BELOW_ARROWS_MM: Final = 6.5
+"""From a section to its width, whose number stands below those arrows."""
 _TITLE_MM: Final = 38.0
 _DECIMAL_POINT: Final = "."
 """A word of words.json: the sign of decimals in its language."""
@@ -496,7 +500,7 @@ class SectionsPage(_Page):
 
         pen.text(at[0], at[1] + piece.size_mm[2] / scale + 4, heading, bold=True, centred=True)
         pen.section(_on_paper(section, scale, place(0.0), at[1]))
-        pen.dimension((place(left_mm), at[1]), (place(right_mm), at[1]), width, -5)
+        pen.dimension((place(left_mm), at[1]), (place(right_mm), at[1]), width, -_BELOW_ARROWS_MM)
         ends: tuple[tuple[Literal[0, 1], float, float], ...] = (
             (0, left_mm, 4.0), (1, right_mm, -4.0),
         )  # fmt: skip
@@ -784,7 +788,7 @@ class _Pen:
         value_mm = heights_mm[1] - heights_mm[0]
         self.line_width(_FINE_PT, _BLUE)
         for tip, away in ((high, 1.0), (low, -1.0)):
-            self._arrow((x, tip + 4 * away), (x, tip))
+            self._arrow((x, tip + _THICKNESS_MM * away), (x, tip))
         self._canvas.setFillColor(_BLUE)
         self.text(x + 0.8, high + 2.4, self._number(value_mm))
         self._canvas.setFillColor(_INK)

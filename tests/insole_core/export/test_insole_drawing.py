@@ -85,6 +85,31 @@ def test_what_is_drawn_at_one_to_one_has_its_true_size(tmp_path: Path) -> None:
     assert max(count("ViewsPage", 10 / scale, 1.4) for scale in SCALES) == 5
 
 
+def test_no_arrow_crosses_the_width_of_a_section(tmp_path: Path) -> None:
+    from insole_core.export.paper import paragraph
+
+    paragraph("")  # the fonts
+    path = tmp_path / "sections.pdf"
+    canvas = Canvas(str(path))
+    SectionsPage(drawn_box(), (173, 259), {}, {}).drawOn(canvas, 16 * mm, 16 * mm)
+    canvas.save()
+    lines = [np.array(line) for line in paths_of_pdf(path)]
+    sizes = [np.ptp(line, axis=0) for line in lines]
+    (face,) = [one for one, size in zip(lines, sizes, strict=True) if np.allclose(size, (73, 11))]
+    bottom = face[:, 1].min()
+    upright = [one for one, (wide, tall) in zip(lines, sizes, strict=True) if wide < 0.01 < tall]
+    below = [one[:, 1].min() for one in upright if abs(one[0, 0] - face[:, 0].mean()) < 20]
+    arrow = min(y for y in below if bottom - 10 < y < bottom)
+    level = [one for one, (wide, tall) in zip(lines, sizes, strict=True) if tall < 0.01 < wide]
+    (width,) = {
+        round(float(one[0, 1]), 2)
+        for one in level
+        if np.ptp(one[:, 0]) > 70 and bottom - 10 < one[0, 1] < bottom - 1
+    }
+    assert arrow < bottom - 3
+    assert width + 1.3 < arrow  # half the height of the number
+
+
 @pytest.mark.parametrize(
     ("count", "remarks", "sheets", "goes_on"),
     [(3, "", 3, []), (17, "", 4, ["right"]), (40, "", 5, ["left", "right"]),
