@@ -84,6 +84,22 @@ PERSONAL = [STRANGE[:3], " eva ", "Storgatan", "so sly", "19700228", "1970, 2, 2
             "flat foot", "for Eva", "her son", "70.1"]  # fmt: skip
 
 
+def test_with_a_capture_stays_its_correction_which_may_say_which_foot_it_is(
+    context: RecordsContext,
+) -> None:
+    with context.database.writing() as connection:
+        (used,) = connection.execute(
+            select(schema.captures.c.content_sha256).where(schema.captures.c.id == "c")
+        ).scalars()
+        connection.execute(insert(schema.captures).values(
+            id="corrected", visit_id="v", number=3, kind="session", file_name="third.zip",
+            content_sha256=used, source_sha256=used, program_version="0.1", created_at="2026",
+            author="anna",
+        ))  # fmt: skip
+    erase_person(context, "kept", REQUEST, TODAY)
+    assert [row.id for row in rows(context, schema.captures)] == ["c", "corrected"]
+
+
 def test_on_request_the_device_stays_under_the_pseudonym(context: RecordsContext) -> None:
     assert [word for word in PERSONAL if word not in everything(context)] == []
     erasure = erase_person(context, "kept", REQUEST, TODAY)
