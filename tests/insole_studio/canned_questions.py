@@ -39,6 +39,9 @@ class CannedQuestions:
         self.asked.append(sentence)
         return self.anyway
 
+    def may_open_newer(self) -> bool:
+        return self.open_anyway("newer")
+
     def make_alone(self, sentence: str, _side: Side) -> bool:
         return self.open_anyway(sentence)
 

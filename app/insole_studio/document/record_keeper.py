@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 SAVE_AFTER_MS, RETRY_MS = 1000, 3000
-_WHOSE = "record-whose-case"
+_WHOSE, _NEWEST = "record-whose-case", "record-newest"
 Then = Callable[[], None]
 
 
@@ -82,6 +82,8 @@ class RecordKeeper(QObject):
     moved = Signal(str, str)
     """The open visit is kept as another one in place of one that is lost: emitted with the id that
     it had and the one that it has, so that all that was meant for the lost one comes to this."""
+    outdated = Signal()
+    """Somebody else has stored a newer version of a foot that is as it was stored here."""
     erased = Signal()
     """The patient was erased, here or at another station, and the case closed: nothing stays."""
 
@@ -124,6 +126,7 @@ class RecordKeeper(QObject):
         case.saved_changed.connect(self._let_go)
         clinic.state_changed.connect(self._save_if_back)
         clinic.changed.connect(self._look_whose)
+        clinic.changed.connect(self._look_for_newer)
         clinic.author_changed.connect(self._note_seen)
 
     @property
@@ -149,6 +152,26 @@ class RecordKeeper(QObject):
             return found
 
         self._clinic.ask("records-open", read, opened, failed)
+
+    def open_newer(self, failed: Callable[[Exception], None]) -> None:
+        """Open the visit as it is stored by now; what was changed here is decided on before."""
+        visit_id = self.visit_id
+        self.leave(lambda: self.open_visit(visit_id, failed))
+
+    def look_for_newer(self) -> bool:
+        """Return at once whether the record holds a newer version of a foot that is open.
+
+        What is still to be saved finds it by itself; so does all, once a silent record answers.
+        """
+        kept = self._case.kept
+        is_settled = self.state in (KeepState.SAVED, KeepState.CHANGED) and not self._is_saving
+        if kept is None or not is_settled or not self._clinic.is_open:
+            return False
+        try:
+            return self._clinic.ask_now(lambda records: _is_outdated(records, kept))
+        except InsoleError as error:
+            _note_failure(error)
+            return False
 
     def leave(self, then: Then, otherwise: Then | None = None) -> None:
         """Save what is not in the record yet, and call `then`; at once if nothing is left to do.
@@ -335,6 +358,23 @@ class RecordKeeper(QObject):
                 lambda whose: self._note_person(visit_id, whose[0]),
                 _note_failure,
             )
+
+    def _look_for_newer(self) -> None:
+        """Ask whether somebody else has stored a foot of the open visit after it was read here."""
+        kept = self._case.kept
+        if kept is None:
+            return
+
+        def found(is_outdated: bool) -> None:
+            now = self._case.kept
+            if now is None or now.visit.id != kept.visit.id or self._is_saving:
+                return  # saving finds it by itself
+            if now.bases != kept.bases:
+                self._look_for_newer()
+            elif is_outdated and self.state is KeepState.SAVED:
+                self.outdated.emit()
+
+        self._clinic.ask(_NEWEST, lambda records: _is_outdated(records, kept), found, _note_failure)
 
     def _note_person(self, visit_id: str, person: Person) -> None:
         if self.visit_id != visit_id:
@@ -559,6 +599,17 @@ def _whose(records: Records, kept: KeptVisit) -> tuple[Person, bool]:
     except RecordsError:
         person_id, is_there = kept.person.id, False
     return records.persons.get(person_id), is_there
+
+
+def _is_outdated(records: Records, kept: KeptVisit) -> bool:
+    """Return whether a foot has a newer version than the one that the work is based on."""
+    newest = (version.summary for version in records.prescriptions.newest(kept.visit.id))
+    stored = {version.side: (version.id, version.revision) for version in newest}
+    return any(
+        stored.get(side, read) != read
+        for side, base in kept.bases.items()
+        for read in ((base.version_id, base.revision),)
+    )
 
 
 def _note_failure(error: Exception) -> None:

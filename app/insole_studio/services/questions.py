@@ -320,6 +320,18 @@ class Questions:
         sentence = tr("These files are there already: {names}").format(names=names)
         return self._choose(sentence, choices, default=False)
 
+    def may_open_newer(self) -> bool:
+        """Ask whether the version that was stored elsewhere takes the place of an older one."""
+        choices = [
+            _Choice(tr("Open the newer version"), True, _ACCEPT),
+            _Choice(tr("Do not export"), False, _REJECT),
+        ]
+        sentence = tr(
+            "This prescription was changed elsewhere, and a newer version is stored; what is shown "
+            "here is not exported."
+        )
+        return self._choose(sentence, choices, default=True)
+
     def may_replace_own(self, name: str) -> bool:
         """Ask whether a device or form of the clinic may be replaced by one of the same name."""
         choices = [

@@ -136,6 +136,10 @@
             <translation>Fräsens diameter; den når inte in i trängre fördjupningar</translation>
         </message>
         <message>
+            <source>Do not export</source>
+            <translation>Exportera inte</translation>
+        </message>
+        <message>
             <source>Draft</source>
             <translation>Släppning</translation>
         </message>
@@ -582,6 +586,10 @@
         <message>
             <source>They deviate by {deviation:.3f} mm at most.</source>
             <translation>De avviker högst {deviation:.3f} mm.</translation>
+        </message>
+        <message>
+            <source>This prescription was changed elsewhere, and a newer version is stored; what is shown here is not exported.</source>
+            <translation>Ordinationen ändrades på annat håll, och en nyare version är sparad; det som visas här exporteras inte.</translation>
         </message>
         <message>
             <source>Undercut</source>

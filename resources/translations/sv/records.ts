@@ -512,6 +512,10 @@
             <translation>Öppna mappen</translation>
         </message>
         <message>
+            <source>Open the newer version</source>
+            <translation>Öppna den nyare versionen</translation>
+        </message>
+        <message>
             <source>Open the visit</source>
             <translation>Öppna besöket</translation>
         </message>
@@ -806,6 +810,10 @@
         <message>
             <source>This order was written without papers.</source>
             <translation>Den här beställningen skrevs utan papper.</translation>
+        </message>
+        <message>
+            <source>This prescription was changed elsewhere: a newer version than this is stored.</source>
+            <translation>Ordinationen ändrades på annat håll: en nyare version än denna är sparad.</translation>
         </message>
         <message>
             <source>This version is signed already.</source>

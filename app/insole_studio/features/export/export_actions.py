@@ -237,6 +237,18 @@ class ExportActions(StageWindow["ExportStage"]):
         missing = self.responsible().missing or not self._case.record.patient.name
         return self.ask_responsible() if missing else True
 
+    def has_newest(self) -> bool:
+        """Return whether nothing newer is stored elsewhere; if it is, offer to open it.
+
+        An order is of the newest version: an older one would be made, and another one be noted.
+        """
+        keeper = self._services.keeper
+        if not keeper.look_for_newer():
+            return True
+        if self._questions.may_open_newer():
+            keeper.open_newer(self.tell)
+        return False
+
     def ask_responsible(self) -> bool:
         """Let the user say who prescribes and makes, and for whom if that is missing."""
         patient, known = self._case.record.patient, self.responsible()
@@ -326,6 +338,8 @@ class ExportActions(StageWindow["ExportStage"]):
 
     def ask_print_outline(self) -> None:
         """Let the user choose a PDF file and print the outline into it."""
+        if not self.has_newest():
+            return
         path = self._messages.questions.file_to_write(
             f"{foot_stem(self._case)}-{tr('outline')}.pdf", "PDF (*.pdf)", Kept.PAPERS
         )

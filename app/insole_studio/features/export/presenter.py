@@ -107,6 +107,9 @@ class OrderAsker(MachineAsker, Protocol):
     def ask_missing(self) -> bool:
         """Ask for what a prescription lacks, if anything; False if cancelled."""
 
+    def has_newest(self) -> bool:
+        """Return whether nothing newer is stored elsewhere; if it is, offer to open it."""
+
 
 class ExportPresenter:
     """Makes the order again whenever order, rules or case change, and exports it.
@@ -407,7 +410,7 @@ class ExportPresenter:
     def ask_export(self) -> None:
         """Let the user choose a file, and export."""
         self._panel.read_day()
-        if self._refused_day:
+        if self._refused_day or not self._asker.has_newest():
             return
         order = self._order
         try:

@@ -68,7 +68,7 @@ if TYPE_CHECKING:
     from insole_studio.features.records.record_transfer import RecordTransfer
 
 Then = Callable[[], None]
-CONFLICT, LOST = "record-conflict", "record-lost"
+CONFLICT, LOST, OUTDATED = "record-conflict", "record-lost", "record-outdated"
 
 
 class PatientRecords(QObject):
@@ -119,6 +119,8 @@ class PatientRecords(QObject):
         self._person_presenter: PersonPresenter | None = None
         self._transfer: RecordTransfer | None = None
         self._keeper.conflicted.connect(self.decide)
+        self._keeper.outdated.connect(self._offer_newer)
+        services.case.opened.connect(lambda: services.notices.drop(OUTDATED))
         self._keeper.lost.connect(self._offer_lost)
         self._keeper.state_changed.connect(self._drop_lost)
         services.recent.changed.connect(self._show_recent_files)
@@ -632,6 +634,14 @@ class PatientRecords(QObject):
             tr("Two versions of this foot wait for a decision; yours is kept on this computer."),
             (tr("Decide…"), self.decide),
             on_pages=True,
+        )
+
+    def _offer_newer(self) -> None:
+        """Offer what somebody else has stored since the visit was opened here."""
+        self._services.notices.put(
+            OUTDATED,
+            tr("This prescription was changed elsewhere: a newer version than this is stored."),
+            (tr("Open the newer version"), lambda: self._keeper.open_newer(self._tell)),
         )
 
     def _offer_lost(self) -> None:

@@ -39,7 +39,7 @@ class VisitPresence(QObject):
         self._visit_id = ""
         self._lock: FileLock | None = None
         self._place = _MOST_WINDOWS
-        """Which lock of the visit that is; 0 is that of the window that had it open first."""
+        """Which lock of the visit that is."""
         self._told: tuple[str, ...] = ()
         self._timer = QTimer(self)
         self._timer.setInterval(REFRESH_MS)
@@ -85,17 +85,14 @@ class VisitPresence(QObject):
             lock.release()  # first, else two that close at once would each leave it to the other
         return not self.is_in_another_window(visit_id)
 
-    def _line_up(self, visit_id: str) -> bool:
-        """Take the first lock that is free; return whether no window here had the visit before."""
+    def _hold(self, visit_id: str) -> None:
+        """Take the first lock of the visit that is free, unless one is held."""
         folder = self._services.paths.locks_folder
-        for place in range(self._place):
+        for place in range(self._place if self._lock is None else 0):
             lock = FileLock(folder / _name(visit_id, place))
             if self._try_lock(lock):
-                if self._lock is not None:
-                    self._lock.release()
                 self._lock, self._place = lock, place
                 break
-        return self._place == 0
 
     def _is_held(self, path: Path) -> bool:
         lock = FileLock(path)
@@ -114,7 +111,9 @@ class VisitPresence(QObject):
 
     def _enter(self) -> None:
         visit_id = self._visit_id
-        here = () if self._line_up(visit_id) else (tr("in another window of this computer"),)
+        self._hold(visit_id)
+        is_elsewhere = self.is_in_another_window(visit_id)
+        here = (tr("in another window of this computer"),) if is_elsewhere else ()
         if not self._clinic.is_writable:
             self._tell(visit_id, here)
             return

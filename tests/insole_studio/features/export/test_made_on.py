@@ -76,6 +76,9 @@ class Asker:
     def ask_missing(self) -> bool:
         return True
 
+    def has_newest(self) -> bool:
+        return True
+
     def tell(self, error: Exception) -> None:
         self.told.append(error)
 

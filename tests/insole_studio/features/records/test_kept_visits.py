@@ -175,6 +175,37 @@ def test_who_saves_second_sees_both_versions_and_loses_none(
     assert_kept(opened, records, visit, shown_mm, variants)
 
 
+def test_what_was_stored_elsewhere_is_offered_and_nothing_older_is_exported(
+    opened: Application, other_station: Records, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    """Whoever works on is asked which of both it is to be; whoever only looks has to know, too."""
+    texts = lambda: [n.text for n in opened.services.notices.notices if "newer" in n.text]  # noqa: E731
+    thicken(opened, 6.0)
+    wait_until_saved(opened, qtbot)
+    opened.controller.run_action("export", False)
+    stage = opened.features.export.stage
+    assert stage is not None
+    qtbot.waitUntil(lambda: bool(stage.presenter.parts))
+    keeper, questions = opened.services.keeper, opened.services.messages.questions
+    assert isinstance(questions, CannedQuestions)
+    assert not keeper.look_for_newer()
+    change_elsewhere(other_station, visit, 9.0)
+    stage.presenter.ask_export()
+    assert questions.asked == ["newer"]
+    opened.services.clinic._look_for_changes()  # as it does every few seconds
+    qtbot.waitUntil(lambda: bool(texts()))
+    assert opened.case.record.design.thickness_mm == 6.0
+    questions.anyway = True
+    stage.presenter.ask_export()
+    qtbot.waitUntil(lambda: opened.case.record.design.thickness_mm == 9.0)
+    assert texts() == []
+    assert not keeper.look_for_newer()
+    thicken(opened, 7.0)
+    wait_until_saved(opened, qtbot)
+    assert newest_mm(records, visit) == 7.0
+    assert texts() == []
+
+
 def assert_told(dialog: ConflictDialog) -> None:
     texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
     assert "Dr. Dal, capture-room" in texts
