@@ -180,9 +180,7 @@ def _rim(stations: tuple[RimStation, ...]) -> Message:
     return joined(
         Message(
             _LEVELS[over],
-            heights=joined(
-                (number_message(station.height_mm, _DECIMALS) for station in group), " · "
-            ),
+            heights=joined((number_message(station.height_mm) for station in group), " · "),
         )
         for over, group in groupby(stations, key=lambda station: station.over)
     )

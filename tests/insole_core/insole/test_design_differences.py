@@ -161,6 +161,16 @@ def test_a_cup_is_told_by_its_depth():
     assert len(lines) == 2  # and the rim that holds it
 
 
+def test_heights_of_the_rim_are_told_as_the_window_shows_them():
+    scaled = replace(FINISH, rim=(replace(STATION, height_mm=19.16), replace(TOES, height_mm=2.04)))
+    (line,) = (
+        line
+        for line in design_differences(replace(PLAIN, finish=FINISH), replace(PLAIN, finish=scaled))
+        if "rim" in line
+    )
+    assert line.endswith("→ 19.2 mm, 2 mm over the toes")
+
+
 def test_a_device_is_told_from_as_scanned():
     device = read_device(resource_path("devices/functional-three-quarter.json"))
     lines = [str(line) for line in design_differences(PLAIN, apply_device(device, PLAIN))]
