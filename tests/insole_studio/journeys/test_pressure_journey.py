@@ -257,11 +257,31 @@ def test_a_foot_changed_while_its_map_is_aligned_stays(
     assert "lay it again" in told.text()
 
 
+def test_the_only_foot_is_chosen_and_return_cancels_nothing_while_something_is_open(
+    opened: Application, questions: CannedQuestions, settle: Settle, tmp_path: Path
+) -> None:
+    questions.path = written_plate(opened, tmp_path / "plate.csv")
+    act(opened, "lay_pressure")
+    settle()
+    (dialog,) = opened.window.findChildren(PressureDialog)
+    assert dialog.side.currentData() == "left"
+    assert dialog.open_questions() == ["Seen from"]
+    for widget in (dialog.seen_from, dialog):
+        QTest.keyClick(widget, Qt.Key.Key_Return)
+        assert dialog.isVisible()
+    pick(dialog.seen_from, "above")
+    QTest.keyClick(dialog.seen_from, Qt.Key.Key_Return)
+    settle()
+    foot = opened.case.record.of_side(Side.LEFT)
+    assert foot is not None
+    assert foot.plantar.pressure is not None
+
+
 def test_another_map_of_a_file_is_shown(opened: Application, qtbot: QtBot, tmp_path: Path) -> None:
     (long,) = read_pressure(written_plate(opened, tmp_path / "plate.csv"))
     long = replace(long, values=np.repeat(long.values, 3, axis=0))
     short = replace(long, values=long.values[:1])
-    dialog = PressureDialog("plates.csv", (long, short), None)
+    dialog = PressureDialog("plates.csv", (long, short), (), None)
     qtbot.addWidget(dialog)
     pick(dialog.kind, "frame")
     dialog.frame.setValue(3)

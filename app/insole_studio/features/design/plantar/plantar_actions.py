@@ -89,7 +89,7 @@ class PlantarActions:
         from insole_core.workflows.lay_plantar import lay_pressure
         from insole_studio.features.design.plantar.plantar_dialogs import PressureDialog
 
-        dialog = PressureDialog(name, recordings, self._services.window)
+        dialog = PressureDialog(name, recordings, self._sides, self._services.window)
 
         def lay() -> None:
             recording, answers, shown = dialog.recording, dialog.answers, dialog.shown
@@ -115,7 +115,7 @@ class PlantarActions:
         from insole_core.workflows.lay_plantar import lay_picture
         from insole_studio.features.design.plantar.plantar_dialogs import PictureDialog
 
-        dialog = PictureDialog(picture, self._services.window)
+        dialog = PictureDialog(picture, self._sides, self._services.window)
 
         def lay() -> None:
             side, view = dialog.answered_side, dialog.answered_view
@@ -145,6 +145,10 @@ class PlantarActions:
 
     def _forget_dialog(self, _result: int) -> None:
         self._dialog = None
+
+    @property
+    def _sides(self) -> list[Side]:
+        return [foot.side for foot in self._case.record.feet]
 
     def _foot(self, side: Side) -> FootRecord | None:
         """Return the foot of a side; tell where the case has none."""

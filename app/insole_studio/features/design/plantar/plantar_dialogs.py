@@ -43,10 +43,19 @@ _ASK = ""
 
 
 class _PlantarDialog(QDialog):
-    """A picture beside a form; it can be accepted once all is answered."""
+    """A picture beside a form; it can be accepted once all is answered.
 
-    def __init__(self, sentence: str, parent: QWidget | None) -> None:
+    Parameters
+    ----------
+    sentence
+        Stands above the form.
+    sides
+        The feet that the case has; a single one is that of the picture, unless it says another.
+    """
+
+    def __init__(self, sentence: str, sides: Sequence[Side], parent: QWidget | None) -> None:
         super().__init__(parent)
+        self._only_side = sides[0].value if len(sides) == 1 else _ASK
         self.setWindowTitle(tr("Pressure and footprint"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.picture = PictureView()
@@ -57,7 +66,8 @@ class _PlantarDialog(QDialog):
         self.buttons = QDialogButtonBox()
         role = QDialogButtonBox.ButtonRole
         self.lay_button = self.buttons.addButton(tr("Lay under the foot"), role.AcceptRole)
-        self.buttons.addButton(tr("Cancel"), role.RejectRole)
+        cancel = self.buttons.addButton(tr("Cancel"), role.RejectRole)
+        cancel.setAutoDefault(False)  # else Enter cancels while something is still to be said
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
         right = QVBoxLayout()
@@ -70,6 +80,7 @@ class _PlantarDialog(QDialog):
         both = QHBoxLayout(self)
         both.addWidget(self.picture, 1)
         both.addLayout(right)
+        self.lay_button.setDefault(True)  # which counts only once it is in the dialog
 
     def _add(self, label: str, field: ComboBox | NumberField) -> None:
         self.form.addRow(label, field)
@@ -96,13 +107,19 @@ class PressureDialog(_PlantarDialog):
         Of the file.
     recordings
         All maps of the file.
+    sides
+        As of all these dialogs.
     """
 
     def __init__(
-        self, name: str, recordings: Sequence[PressureRecording], parent: QWidget | None
+        self,
+        name: str,
+        recordings: Sequence[PressureRecording],
+        sides: Sequence[Side],
+        parent: QWidget | None,
     ) -> None:
         device = recordings[0].device or tr("table")
-        super().__init__(fill(tr("{name} ({device})"), name=name, device=device), parent)
+        super().__init__(fill(tr("{name} ({device})"), name=name, device=device), sides, parent)
         self._recordings = recordings
         self.which = ComboBox([(str(n), one.name) for n, one in enumerate(recordings)])
         if len(recordings) > 1:
@@ -177,7 +194,7 @@ class PressureDialog(_PlantarDialog):
     def _show_recording(self, _word: object = None) -> None:
         """Show what the file says of the chosen map."""
         one = self.recording
-        self.side.show_value(_ASK if one.side is None else one.side.value)
+        self.side.show_value(self._only_side if one.side is None else one.side.value)
         self.seen_from.show_value(_ASK if one.seen_from is None else one.seen_from.value)
         self.unit.show_value(_ASK if one.unit is None else one.unit.value)
         steps = one.steps()
@@ -217,11 +234,12 @@ class PressureDialog(_PlantarDialog):
 class PictureDialog(_PlantarDialog):
     """Asks for foot, view and scale of a picture; the scale also by two clicks."""
 
-    def __init__(self, picture: Picture, parent: QWidget | None) -> None:
-        super().__init__(picture.file, parent)
+    def __init__(self, picture: Picture, sides: Sequence[Side], parent: QWidget | None) -> None:
+        super().__init__(picture.file, sides, parent)
         self._picture = picture
         self._clicks: list[tuple[float, float]] = []
         self.side = ComboBox(_with_open(_sides()))
+        self.side.show_value(self._only_side)
         self._add(tr("Foot"), self.side)
         self.seen_from = ComboBox(_with_open(_seen_from()))
         self._add(tr("Seen from"), self.seen_from)
