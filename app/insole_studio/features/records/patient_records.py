@@ -188,7 +188,9 @@ class PatientRecords(QObject):
 
     def ask_new_patient(self) -> None:
         """Ask for the data of a new patient, add them, and show their page."""
-        name = "" if self.start is None else self.start.search.text().strip()
+        start = self.start
+        is_sought = start is not None and start.isVisible() and not start.found.rows
+        name = start.search.text().strip() if start is not None and is_sought else ""
         if any(letter.isdigit() for letter in name):
             name = ""  # a date or a number was searched for
         self._ask_new_patient(Person(name))

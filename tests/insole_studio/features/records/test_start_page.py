@@ -156,6 +156,34 @@ def test_two_visits_of_one_day_are_told_apart_by_when_they_were_begun(
     assert page.today.rows[0].tip == f"Begun {before.isoformat()} 09:40"
 
 
+def test_no_new_patient_is_named_as_somebody_else_was_searched_for(
+    clinic: Application, records: Records, qtbot: QtBot, rest: Callable[[], None]
+) -> None:
+    def filled_in() -> tuple[str, bool]:
+        clinic.controller.run_action("new_patient", False)
+        dialog = dialog_of(clinic)
+        filled = dialog.name.text(), dialog.focusWidget() is dialog.name
+        dialog.reject()
+        rest()
+        return filled
+
+    anna = records.persons.add(Person("Anna Berg"))
+    page = page_of(clinic)
+    QTest.keyClicks(page.search, "Bert")
+    rest()
+    assert filled_in() == ("Bert", False)
+    page.search.clear()
+    QTest.keyClicks(page.search, "ann")
+    qtbot.waitUntil(lambda: len(page.found.rows) == 1)
+    assert filled_in() == ("", True)
+    page.search.setText("Bert")
+    rest()
+    clinic.features.records.show_person(anna.id)
+    qtbot.waitUntil(lambda: not page.isVisible())
+    assert page.search.text() == "Bert"
+    assert filled_in() == ("", True)
+
+
 def test_a_new_patient_is_added_with_the_birth_date_of_the_number(
     clinic: Application, records: Records, rest: Callable[[], None]
 ) -> None:
