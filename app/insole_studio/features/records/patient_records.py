@@ -58,7 +58,7 @@ from insole_studio.features.records.visit_captures import VisitCaptures
 from insole_studio.features.records.visit_photos import VisitPhotos
 from insole_studio.features.records.visit_presence import VisitPresence
 from insole_studio.services.app_services import AppServices
-from insole_studio.services.person_list import identified, person_rows
+from insole_studio.services.person_list import identified, person_rows, visit_time_text
 from insole_studio.services.questions import Namesake
 from insole_studio.texts import tr
 
@@ -575,7 +575,7 @@ class PatientRecords(QObject):
     def _compare(self, newer_id: str, older_id: str) -> None:
         def read(records: Records) -> list[tuple[str, CaseRecord]]:
             opened = [records.visits.open_case(visit_id) for visit_id in (newer_id, older_id)]
-            return [(found.visit.visited_on.isoformat(), found.record) for found in opened]
+            return [(visit_time_text(found.visit), found.record) for found in opened]
 
         self._clinic.ask(
             "records-compare", read, lambda found: self.compared.emit(*found), self._tell

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from datetime import date, timedelta
+from datetime import UTC, date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -37,6 +37,7 @@ from insole_studio.features.records.person_presenter import trends_of
 from insole_studio.features.records.record_dialogs import FollowUpDialog, VisitDialog
 from insole_studio.features.records.record_transfer import PersonExportDialog
 from insole_studio.features.records.version_dialogs import FieldConflictDialog, HistoryDialog
+from insole_studio.services.person_list import visit_time_text
 from insole_studio.texts import moment_text
 from insole_studio.widgets.notice_bar import Notice
 from insole_studio.widgets.side_switch import SideBadge
@@ -671,7 +672,10 @@ def test_a_visit_without_a_scan_takes_the_last_one_and_says_its_day(
     assert again.scanned_on == before
 
 
+@pytest.mark.parametrize("days", [365, 0])
 def test_two_visits_are_compared(
+    days: int,
+    monkeypatch: pytest.MonkeyPatch,
     page: PersonPage,
     clinic: Application,
     records: Records,
@@ -679,7 +683,10 @@ def test_two_visits_are_compared(
     make_foot: Callable[[Side], Foot],
     qtbot: QtBot,
 ) -> None:
-    earlier = records.visits.add(Visit(visit.person_id, date.today() - timedelta(days=365)))
+    day = date.today() - timedelta(days=days)
+    begun = datetime.combine(day, time(0, 0)).astimezone(UTC).isoformat()
+    monkeypatch.setattr("insole_core.records.visits.utc_now", lambda: begun)
+    earlier = records.visits.add(Visit(visit.person_id, day))
     source = ScanSource("mesh", "/nowhere/foot.ply", "0" * 64)
     records.prescriptions.save(earlier.id, FootRecord.begun(make_foot(Side.LEFT), source), None)
     qtbot.waitUntil(lambda: len(page.cards) == 2)
@@ -692,8 +699,9 @@ def test_two_visits_are_compared(
     compare = clinic.features.compare
     qtbot.waitUntil(lambda: compare.stage is not None)
     assert compare.stage is not None
-    today = date.today().isoformat()
-    assert compare.stage.view.sources["a"].currentText() == f"{today}: Left foot"
+    texts = [compare.stage.view.sources[key].currentText() for key in ("a", "b")]
+    newer = visit_time_text(records.visits.get(visit.id))
+    assert texts == [f"{newer}: Left foot", f"{day.isoformat()} 00:00: Left foot"]
     qtbot.waitUntil(lambda: not compare.stage.jobs.is_running())
     compare.close()
 
