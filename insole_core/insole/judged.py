@@ -39,6 +39,8 @@ class Judged:
         Returns by how much all elements together lift the section at a share of the length.
     cup_mm
         Depth of the heel cup, whatever makes it.
+    outline_mm
+        Returns the edge of the insole, that of a shell in its full length; (n, 2), insole frame.
     """
 
     rules: ClinicRules
@@ -50,6 +52,7 @@ class Judged:
     posted_deg: tuple[float, float]
     lifted_mm: Callable[[float], float]
     cup_mm: float
+    outline_mm: Callable[[], FloatArray]
 
     def place_of(self, values: FloatArray) -> Place:
         """Return the place of the greatest of the values (ny, nx) at the surface's nodes."""

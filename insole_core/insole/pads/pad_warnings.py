@@ -30,8 +30,16 @@ _MOST_OVERLAPS = 10
 def sentences_of(pad: PadForm, judged: Judged) -> Iterator[Message]:
     """Say what is unusual about one pad."""
     rules, landmarks = judged.rules, judged.landmarks
-    share = rounded(_share_on_foot(judged, pad), SHOWN_SHARE)
-    if share < rules.least_on_foot_share and not pad.is_filler:
+    share_of = _share_on_insole if pad.is_filler else _share_on_foot
+    share = rounded(share_of(judged, pad), SHOWN_SHARE)
+    if share < rules.least_on_foot_share and pad.is_filler:
+        yield Message(
+            "Only {share:.0%} of the {pad} lies on the insole, and the rest is not made; set the "
+            "shoe size or a longer outline.",
+            share=share,
+            pad=pad.noun,
+        )
+    elif share < rules.least_on_foot_share:
         yield Message(
             "Only {share:.0%} of the {pad} lies below the foot; move it inwards.",
             share=share,
@@ -122,6 +130,10 @@ def _share_on_foot(judged: Judged, pad: PadForm) -> float:
     rows, columns = judged.measured.shape
     inside = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
     return float(judged.measured[row[inside], column[inside]].sum() / len(places))
+
+
+def _share_on_insole(judged: Judged, pad: PadForm) -> float:
+    return float(inside_curve(judged.outline_mm(), _places_in(pad)).mean())
 
 
 def _found_overlaps(pads: Sequence[_Pad], rules: ClinicRules) -> Iterator[tuple[_Pad, Message]]:

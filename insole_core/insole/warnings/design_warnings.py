@@ -10,6 +10,7 @@ import numpy as np
 from insole_core.foot.contact_tilt import contact_tilt
 from insole_core.foot.foot_placement import is_of_other_side
 from insole_core.foot.landmarks import Landmarks
+from insole_core.geometry.arrays import FloatArray
 from insole_core.geometry.rounding import rounded
 from insole_core.geometry.side import Side
 from insole_core.insole.build import Insole
@@ -17,6 +18,7 @@ from insole_core.insole.clinic_rules import ClinicRules
 from insole_core.insole.design_warning import DesignWarning
 from insole_core.insole.elements import in_order
 from insole_core.insole.judged import Judged
+from insole_core.insole.outline.insole_outline import full_outline, insole_outline
 from insole_core.insole.prescription.design import InsoleDesign
 from insole_core.insole.prescription.design_totals import lift_profile_mm, posting_angles
 from insole_core.insole.prescription.materials import MaterialTable, read_materials
@@ -165,7 +167,15 @@ def _judged(insole: Insole, landmarks: Landmarks, rules: ClinicRules) -> Judged:
         posted_deg=posting_angles(design),
         lifted_mm=lambda share: float(lift_profile_mm(design, np.array([share]))[0]),
         cup_mm=_USUAL_CUP_MM if cup_mm is None else cup_mm,
+        outline_mm=lambda: _edge_mm(insole, landmarks),
     )
+
+
+def _edge_mm(insole: Insole, landmarks: Landmarks) -> FloatArray:
+    """Return the edge of the insole; what a trim line cuts off is told by the shell's warnings."""
+    if insole.design.shell is not None:
+        return full_outline(insole.foot, insole.design.outline)
+    return insole_outline(insole.foot, insole.design, landmarks)
 
 
 def _words(name: str) -> str:

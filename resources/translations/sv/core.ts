@@ -2340,6 +2340,10 @@
             <translation>Bara {share:.0%} av elementet ({pad}) ligger under foten; flytta det inåt.</translation>
         </message>
         <message>
+            <source>Only {share:.0%} of the {pad} lies on the insole, and the rest is not made; set the shoe size or a longer outline.</source>
+            <translation>Bara {share:.0%} av elementet ({pad}) ligger på inlägget, och resten blir inte gjord; ange skostorleken eller en längre kontur.</translation>
+        </message>
+        <message>
             <source>OpenGL {version}, {renderer}</source>
             <translation>OpenGL {version}, {renderer}</translation>
         </message>

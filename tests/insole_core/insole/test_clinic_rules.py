@@ -376,6 +376,27 @@ def test_a_recess_deeper_than_usual_is_warned_of(left_foot):
     assert found == "The relief under the 3rd head is 10.4 mm deep; up to 10 mm are usual."
 
 
+FILLERS = ["forefoot_filler", *(f"toe_filler_{n}" for n in range(1, 6))]
+
+
+@pytest.mark.parametrize("side", ["left_foot", "right_foot"])
+def test_a_filler_that_the_insole_does_not_hold_is_warned_of(request, side):
+    foot = request.getfixturevalue(side)
+    filler = element(foot, "forefoot_filler")
+    (found,) = warnings(foot, filler)
+    assert found == (
+        "Only 2% of the forefoot filler lies on the insole, and the rest is not made; set the shoe "
+        "size or a longer outline."
+    )
+    x, y = filler.centre_mm
+    for kind in FILLERS:
+        pad = replace(filler, kind=kind, centre_mm=(x, y + 100))
+        (found,) = (w for w in warnings(foot, pad) if "lies on the insole" in w)
+        assert found.startswith(f"Only 0% of the {pad.noun} lies")
+        inside = replace(pad, centre_mm=(x, y - 60), length_mm=20, width_mm=20)
+        assert not [w for w in warnings(foot, inside) if "lies on the insole" in w]
+
+
 RECESSES = sorted({pad.kind for pad in load_pads() if pad.template.height_mm < 0})
 
 
@@ -426,8 +447,12 @@ def test_a_recess_through_the_bottom_is_refused(left_foot):
 
 
 def test_a_filler_lies_beside_the_foot_without_a_warning(left_foot):
-    assert warnings(left_foot, element(left_foot, "forefoot_filler")) == []
-    (found,) = warnings(left_foot, replace(element(left_foot, "forefoot_filler"), kind=None))
+    filler, longer = (
+        element(left_foot, "forefoot_filler", length_mm=25),
+        Outline(toe_allowance_mm=30),
+    )
+    assert warnings(left_foot, filler, outline=longer) == []
+    (found,) = warnings(left_foot, replace(filler, kind=None), outline=longer)
     assert "lies below the foot" in found
 
 
