@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import glob
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from insole_core.errors import InputError, OutputError, UsageError
 from insole_core.files.atomic import write_text
-from insole_core.formats.file_formats import PROGRAM
+from insole_core.formats.file_formats import PIN_HOLES, PROGRAM
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.insole.prescription.item_name import key_of
 from insole_core.messages import Translate
@@ -149,6 +150,8 @@ def _in_the_middle(
 def require_no_other_program(path: Path, how: MillingChoice, job: str) -> None:
     """Check that the files of a program do not come to lie beside others of an earlier one.
 
+    The pin holes of a block that is turned are one of them.
+
     Another order may have a name of the same kind: earlier are those whose head names the same job,
     or is that of a file that is replaced.
 
@@ -165,13 +168,8 @@ def require_no_other_program(path: Path, how: MillingChoice, job: str) -> None:
         Naming those files.
     """
     paths = program_paths(path, how)
-    replaced = {_head(own) for own in paths} - {""}
-    like = re.compile(re.escape(path.stem) + r"(-\d+)?" + re.escape(path.suffix))
-    alike = {each for each in path.parent.glob(f"*{path.suffix}") if like.fullmatch(each.name)}
-    heads = {each.name: _head(each) for each in alike.difference(paths)}
-    others = sorted(
-        name for name, head in heads.items() if head in replaced or is_named_in(head, job)
-    )
+    pin_holes = (path.with_name(path.stem + PIN_HOLES.ending),) if how.both_sides else ()
+    others = earlier_programs(path, job, (*paths, *pin_holes))
     if others:
         raise OutputError(
             "Files of an earlier program ({files}) would lie beside {path}, and a shop could run "
@@ -179,6 +177,29 @@ def require_no_other_program(path: Path, how: MillingChoice, job: str) -> None:
             files=", ".join(others),
             path=paths[0].name,
         )
+
+
+def earlier_programs(path: Path, job: str, replaced: Collection[Path] = ()) -> list[str]:
+    """Return the names of those files of an earlier program that nothing new replaces.
+
+    Parameters
+    ----------
+    path, job
+        As for `require_no_other_program`.
+    replaced
+        Files that are written now.
+    """
+    own_heads = {_head(own) for own in replaced} - {""}
+    like = re.compile(
+        rf"{re.escape(path.stem)}((-\d+)?{re.escape(path.suffix)}|{re.escape(PIN_HOLES.ending)})"
+    )
+    alike = {
+        each for each in path.parent.glob(f"{glob.escape(path.stem)}*") if like.fullmatch(each.name)
+    }
+    heads = {each.name: _head(each) for each in alike.difference(replaced)}
+    return sorted(
+        name for name, head in heads.items() if head in own_heads or is_named_in(head, job)
+    )
 
 
 def _head(path: Path) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from insole_core.errors import DesignError, InputError
+from insole_core.errors import DesignError, InputError, OutputError
 from insole_core.export.order_verification import (
     MOST_BYTES_OF_A_PAPER,
     ordered_content,
@@ -20,6 +20,7 @@ from insole_core.export.order_verification import (
 from insole_core.export.sheet_terms import SheetTerms, terms_in
 from insole_core.export.shop_order import MOST_PAIRS, ORDER_FILE, OrderItem
 from insole_core.files.transaction import Transaction
+from insole_core.files.write_errors import is_there
 from insole_core.formats.dxf import DxfOutline, DxfText, write_dxf
 from insole_core.formats.file_formats import (
     JOB_SHEET,
@@ -53,6 +54,7 @@ from insole_core.solids.shop import Block
 from insole_core.solids.silhouette import block_outline, mark_text, silhouette
 from insole_core.workflows.mill import (
     MillingChoice,
+    earlier_programs,
     program_paths,
     require_no_other_program,
     write_milling,
@@ -577,6 +579,8 @@ def _program(out: Path) -> Path:
 def require_no_other_nest(out: Path, title: str, milling: MillingChoice | None) -> None:
     """Check that no files of an earlier program of the same nest lie beside the new ones.
 
+    Also not beside a nest without a program: a shop would run them on the new one.
+
     Parameters
     ----------
     out, title, milling
@@ -589,6 +593,18 @@ def require_no_other_nest(out: Path, title: str, milling: MillingChoice | None) 
     """
     if milling is not None:
         require_no_other_program(_program(out), milling, title)
+        return
+    earlier = earlier_programs(_program(out), title)
+    sheet = out.with_name(out.stem + SETUP_SHEET.ending)
+    if is_there(sheet):
+        earlier.append(sheet.name)
+    if earlier:
+        raise OutputError(
+            "Files of an earlier program ({files}) would lie beside {path}, which has none, and a "
+            "shop could run them; remove them, or give the nest another name.",
+            files=", ".join(earlier),
+            path=out.name,
+        )
 
 
 def write_nest(

@@ -1168,6 +1168,10 @@
             <translation>Filer från ett tidigare program ({files}) skulle ligga bredvid {path}, och verkstaden kunde köra båda; ta bort dem eller ge programmet ett annat namn.</translation>
         </message>
         <message>
+            <source>Files of an earlier program ({files}) would lie beside {path}, which has none, and a shop could run them; remove them, or give the nest another name.</source>
+            <translation>Filer från ett tidigare program ({files}) skulle ligga bredvid {path}, som inte har något, och verkstaden kunde köra dem; ta bort dem eller ge samläggningen ett annat namn.</translation>
+        </message>
+        <message>
             <source>Fill these parts of the picture with the wall: {regions}.</source>
             <translation>Fyll dessa delar av bilden med väggen: {regions}.</translation>
         </message>

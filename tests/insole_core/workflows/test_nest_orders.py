@@ -386,6 +386,11 @@ def test_a_router_gets_the_same_programs_for_all_pieces(tmp_path: Path) -> None:
     earlier.write_text("(n)\n")
     with pytest.raises(OutputError, match=r"program \(n-4.nc\) would lie beside n-1.nc"):
         write_nest(nest, tmp_path / "n.stl", title="n", milling=MillingChoice(machine))
-    assert written.paths[0].exists()
+    earlier.unlink()
+    files = r"n-1\.nc, n-2\.nc, n-3\.nc, n-setup-sheet\.pdf"
+    before = written.paths[0].read_bytes()
+    with pytest.raises(OutputError, match=rf"program \({files}\) would lie beside n\.stl, which"):
+        write_nest(nest, tmp_path / "n.stl", title="n")
+    assert written.paths[0].read_bytes() == before
     sheet = text_of_pdf(tmp_path / "n-setup-sheet.pdf")
     assert all(f"{number}: 26-" in sheet for number in (1, 2, 3, 4))

@@ -172,6 +172,15 @@ def test_files_of_an_earlier_program_of_the_same_order_are_refused(
         require_no_other_program(tmp_path / "P.nc", how, "P-7")
 
 
+def test_earlier_pin_holes_do_not_lie_beside_a_block_that_is_not_turned(tmp_path: Path) -> None:
+    machine = read_machine(resource_path("milling/linuxcnc.json"))
+    (tmp_path / "P-pin-holes.nc").write_text("(P-7)\n")
+    with pytest.raises(OutputError, match=r"program \(P-pin-holes.nc\) would lie beside P.nc"):
+        require_no_other_program(tmp_path / "P.nc", MillingChoice(machine), "P-7")
+    require_no_other_program(tmp_path / "P.nc", MillingChoice(machine), "P-8")
+    require_no_other_program(tmp_path / "P.nc", MillingChoice(machine, both_sides=True), "P-7")
+
+
 def test_the_underside_of_an_earlier_program_does_not_lie_beside_a_single_file(
     tmp_path: Path,
 ) -> None:
