@@ -29,13 +29,13 @@ from sqlalchemy import (
 )
 
 from insole_core.cases.sample import SAMPLE_PSEUDONYM
-from insole_core.errors import RecordsError
+from insole_core.errors import RecordsError, UsageError
 from insole_core.records.audit import AuditLog
 from insole_core.records.author import Author
 from insole_core.records.bare_files import BareFiles
 from insole_core.records.captures import SESSION
 from insole_core.records.checked_values import day_of, highest
-from insole_core.records.clinic import setting_of
+from insole_core.records.clinic import setting_of, write_setting
 from insole_core.records.content_store import GRACE_S, SweptContents
 from insole_core.records.context import RecordsContext
 from insole_core.records.deleted_text import finish_erasing, note_erasing
@@ -62,6 +62,7 @@ YEARS_VALUE: Final = "retention_years"
 """Key of the clinic's settings."""
 LEAST_YEARS: Final = 10
 """Annex XIII, section 4, for devices that are not implanted."""
+MOST_YEARS: Final = 100
 
 
 class ErasureReason(StrEnum):
@@ -178,8 +179,42 @@ def _count(connection: Connection, table: Table, person_id: str) -> int:
 
 
 def retention_years(connection: Connection) -> int:
-    """Return for how many years the clinic keeps its record; never less than the law asks for."""
-    return max(int(setting_of(connection, YEARS_VALUE, LEAST_YEARS)), LEAST_YEARS)
+    """Return for how many years the clinic keeps its record.
+
+    Never less than the law asks for, nor more than can be chosen: earlier programs stored any
+    number.
+    """
+    years = int(setting_of(connection, YEARS_VALUE, LEAST_YEARS))
+    return min(max(years, LEAST_YEARS), MOST_YEARS)
+
+
+def years_of_keeping(context: RecordsContext) -> int:
+    """Return the same, for whoever has no connection."""
+    with context.database.reading() as connection:
+        return retention_years(connection)
+
+
+def keep_for(context: RecordsContext, years: int) -> None:
+    """Set for how many years the clinic keeps its record.
+
+    Raises
+    ------
+    NotAllowed
+    UsageError
+        When it is less than the law asks for, or more than `MOST_YEARS`.
+    """
+    if not LEAST_YEARS <= years <= MOST_YEARS:
+        raise UsageError(
+            "The record cannot be kept for {years} years: the law asks for at least {least} years, "
+            "and {most} are the most; give a number between them.",
+            years=years,
+            least=LEAST_YEARS,
+            most=MOST_YEARS,
+        )
+    with context.writing(Right.SET_UP) as connection:
+        before = retention_years(connection)
+        write_setting(connection, YEARS_VALUE, years)
+        context.log(connection, "changed", "clinic", YEARS_VALUE, years=years, years_before=before)
 
 
 def kept_until(connection: Connection, person_id: str) -> date:

@@ -932,6 +932,18 @@
             <translation>fel lösenord: {count}</translation>
         </message>
         <message>
+            <source>years</source>
+            <translation>år</translation>
+        </message>
+        <message>
+            <source>years before</source>
+            <translation>år dessförinnan</translation>
+        </message>
+        <message>
+            <source>years of keeping</source>
+            <translation>bevarandetid</translation>
+        </message>
+        <message>
             <source>{newest}; backups in the folder: {count}, the oldest of {oldest}</source>
             <translation>{newest}; kopior i mappen: {count}, den äldsta från {oldest}</translation>
         </message>

@@ -4048,6 +4048,10 @@
             <translation>Bakfoten är kilad {angle:g}° {edge}; mer än {usual:g}° är ovanligt.</translation>
         </message>
         <message>
+            <source>The record cannot be kept for {years} years: the law asks for at least {least} years, and {most} are the most; give a number between them.</source>
+            <translation>Journalen kan inte sparas i {years} år: lagen kräver minst {least} år, och högst {most} går att ange; ange ett tal däremellan.</translation>
+        </message>
+        <message>
             <source>The record cannot use a database of the kind {kind}; give the address of a PostgreSQL server: postgresql+psycopg://user@server/database.</source>
             <translation>Journalen kan inte använda en databas av slaget {kind}; ange adressen till en PostgreSQL-server: postgresql+psycopg://user@server/database.</translation>
         </message>

@@ -177,11 +177,13 @@ def test_others_are_not_touched(context: RecordsContext) -> None:
 def test_the_time_of_keeping_follows_the_last_entry_and_the_clinic(
     context: RecordsContext,
 ) -> None:
-    for years, until in ((None, 2037), (15, 2042), (1, 2037)):  # never less than the law
+    # never less than the law, nor more than a calendar has
+    for years, until in ((None, 2037), (15, 2042), (1, 2037), (3000, 2127)):
         with context.database.writing() as connection:
             write_setting(connection, YEARS_VALUE, 10 if years is None else years)
         with context.database.reading() as connection:
             assert kept_until(connection, "kept") == date(until, 1, 10)
+        assert over_retention(context, TODAY) == []
 
 
 def test_a_leap_day_is_kept_a_day_longer(context: RecordsContext) -> None:

@@ -152,8 +152,12 @@ def test_those_whose_time_is_over_are_listed_and_erased(
 ) -> None:
     assert command("retention", "--years", "3") == 2
     assert "at least 10 years" in capsys.readouterr().err
+    assert command("retention", "--years", "3000") == 2
+    assert "100 are the most" in capsys.readouterr().err
     assert command("retention", "--years", "15") == 0
     assert capsys.readouterr().out == "kept for 15 years after the last entry\n"
+    assert command("audit", "--limit", "1") == 0
+    assert "years: 15, years_before: 10" in capsys.readouterr().out
     with records.context.database.writing() as connection:
         for table, column in (("persons", "created_at"), ("visits", "visited_on")):
             connection.exec_driver_sql(f"UPDATE {table} SET {column} = '1990-01-01'")

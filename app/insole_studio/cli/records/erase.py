@@ -68,7 +68,7 @@ ERASE = Step(
 
 def _add_retention_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "--years", type=whole, metavar="N", help="keep the record for so many years, at least ten"
+        "--years", type=whole, metavar="N", help="keep the record for so many years, 10 to 100"
     )
     parser.add_argument(
         "--limit", type=whole, default=100, metavar="N", help="most persons (default: 100)"
@@ -78,22 +78,13 @@ def _add_retention_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _run_retention(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Set the years if they are given, and print a line for each person."""
-    from insole_core.records.retention import (
-        LEAST_YEARS,
-        YEARS_VALUE,
-        over_retention_named,
-    )
+    from insole_core.records.retention import keep_for, over_retention_named, years_of_keeping
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.ERASE) as records:
         if arguments.years is not None:
-            if arguments.years < LEAST_YEARS:
-                raise UsageError(
-                    f"--years is {arguments.years}, and the law keeps the documentation of a "
-                    f"device for at least {LEAST_YEARS} years; give as many, or more."
-                )
-            records.clinic.set(YEARS_VALUE, arguments.years)
-        years = records.clinic.get(YEARS_VALUE, LEAST_YEARS)
+            keep_for(records.context, arguments.years)
+        years = years_of_keeping(records.context)
         print(f"kept for {years} years after the last entry")
         for found in over_retention_named(records.context, date.today(), arguments.limit):
             print(

@@ -17,6 +17,7 @@ from insole_core.records.author import Role
 from insole_core.records.order import OrderState
 from insole_core.records.person import Person
 from insole_core.records.record_field import fields_of
+from insole_core.records.retention import YEARS_VALUE
 from insole_core.records.visit import Visit
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.features.clinic.verify_dialog import VerifyingDialog
@@ -63,8 +64,14 @@ NAMES: Final[Mapping[str, Callable[[], str]]] = {
     "state": lambda: tr("state"),
     "visit": lambda: tr("visit"),
     "visits": lambda: tr("visits"),
+    "years": lambda: tr("years"),
+    "years_before": lambda: tr("years before"),
 }
 """Names of details."""
+SETTINGS: Final[Mapping[str, Callable[[], str]]] = {
+    YEARS_VALUE: lambda: tr("years of keeping"),
+}
+"""Names of the clinic's settings, which others have by their key."""
 WORDS: Final[Mapping[str, Callable[[], str]]] = {
     "True": lambda: tr("yes"),
     "False": lambda: tr("no"),
@@ -232,7 +239,8 @@ def _search(records: Records, wanted: AuditFilter, before: int | None) -> list[S
 
 def _row(shown: ShownLine) -> TableRow:
     line = shown.line
-    subject = f"{translate_core_message(line.subject_kind)} {shown.subject}"
+    named = _word(SETTINGS, shown.subject) if line.subject_kind == "clinic" else shown.subject
+    subject = f"{translate_core_message(line.subject_kind)} {named}"
     cells = (
         str(line.seq),
         moment_text(line.at),

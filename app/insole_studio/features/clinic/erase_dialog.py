@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QSpinBox, QWidget
 
-from insole_core.records.retention import LEAST_YEARS, YEARS_VALUE, ErasureReason
+from insole_core.records.retention import LEAST_YEARS, MOST_YEARS, ErasureReason, keep_for
 from insole_studio.document.clinic_record import ClinicRecord
 from insole_studio.document.record_maintenance import ErasedLeftovers
 from insole_studio.features.clinic.record_dialog import RecordDialog
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 _SIZE = (680, 520)
 _MOST_LETTERS = 60
 _NO_REASON = ""
-_MOST_YEARS = 100
 _MOST_LISTED = 100
 
 
@@ -89,7 +88,7 @@ class EraseDialog(RecordDialog):
         )
         self.reason.edited.connect(lambda _reason: self._allow())
         self.years = QSpinBox()
-        self.years.setRange(LEAST_YEARS, _MOST_YEARS)
+        self.years.setRange(LEAST_YEARS, MOST_YEARS)
         self.years.setSuffix(tr(" years after the last entry"))
         self.years.editingFinished.connect(self._keep_years)
         self.means = MessageLabel()
@@ -148,7 +147,7 @@ class EraseDialog(RecordDialog):
         self._years = years
 
         def keep(records: Records) -> _Shown:
-            records.clinic.set(YEARS_VALUE, years)
+            keep_for(records.context, years)
             return _read(records)
 
         self.change(keep, self._show_over)
@@ -270,9 +269,9 @@ def _find(records: Records, pseudonym: str) -> Erasable:
 
 
 def _read(records: Records) -> _Shown:
-    from insole_core.records.retention import over_retention_named
+    from insole_core.records.retention import over_retention_named, years_of_keeping
 
-    years = records.clinic.get(YEARS_VALUE, LEAST_YEARS)
+    years = years_of_keeping(records.context)
     return _Shown(years, over_retention_named(records.context, date.today(), _MOST_LISTED))
 
 
