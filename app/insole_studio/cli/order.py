@@ -92,6 +92,7 @@ def _run_create(arguments: argparse.Namespace, progress: Progress) -> None:
     terms = _terms(arguments)
     check_terms(terms)
     number = arguments.number or new_order_number(now.date())
+    _check_replaced(arguments.out, number)
     shop = read_shop(arguments.shop)
     items = _items(arguments, terms, number, shop, progress)
     order = write_package(
@@ -108,6 +109,21 @@ def _check_out(path: Path) -> None:
     if _ENDING_OF_A_FILE.fullmatch(path.suffix.lower()) and not path.is_dir():
         raise UsageError(
             f"--out is {path}, and an order is a folder or a .zip file; name one of them."
+        )
+
+
+def _check_replaced(path: Path, number: str) -> None:
+    """Refuse to write an order over one of another number, which a shop may already have."""
+    from insole_core.export.order_verification import read_order
+
+    try:
+        before = read_order(path).release.number
+    except InputError:  # there is none, or what is there is told when the order is written
+        return
+    if before != number:
+        raise UsageError(
+            f"{path} holds order {before}, and this one is {number}; name another --out, remove "
+            f"that order, or make its next revision with --number {before}."
         )
 
 

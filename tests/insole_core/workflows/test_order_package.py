@@ -481,6 +481,13 @@ def test_revisions_of_an_order_call_their_pieces_the_same_and_are_not_nested_tog
     (item,) = last.items
     assert item.pseudonym == "26-7KQ4M", "one identification leaves the clinic"
     assert item.serials == {Side.LEFT: "26-7KQ4M-2-L"}
+    before = out.read_bytes()
+    for other in ([*create[:-1], "26-OTHER"], create[:-2]):  # the second with a number drawn for it
+        assert run(other) == 2
+        told = capsys.readouterr().err.splitlines()[-1]
+        assert f"{out} holds order 26-7KQ4M, and this one is 26-" in told
+        assert "name another --out" in told
+        assert out.read_bytes() == before
     nest = ["order", "nest", str(earlier), str(out), "--out", str(tmp_path / "n.3mf")]
     assert run([*nest, "--size", "1000x600x40"]) != 0
     told = capsys.readouterr().err.splitlines()[-1]
