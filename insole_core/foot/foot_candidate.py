@@ -19,6 +19,8 @@ Point = tuple[float, float, float]
 
 CLEAR = 1.25
 """Least ratio of the dissimilarities from both sides at which the shape determines the side."""
+CLEAR_WITHOUT_TOES = 1.4
+"""The same where no single toes are seen: an oblique stump slopes as the toes of the other foot."""
 NO_FOOT = 0.6
 """Dissimilarity from which on a surface is not a foot."""
 
@@ -108,6 +110,11 @@ class FootCandidate:
     leg: CutLeg | None = None
 
     @property
+    def clear(self) -> float:
+        """Least ratio of the other side's dissimilarity to its own at which this side is told."""
+        return CLEAR if self.second_toe_found else CLEAR_WITHOUT_TOES
+
+    @property
     def is_length_known(self) -> bool:
         """Whether the surface reaches from the heel to the toes."""
         return self.covered >= 1
@@ -179,7 +186,7 @@ class FoundFoot:
         """The side that the shape tells; None where it does not tell left from right."""
         nearest = self.candidates[0]
         other = self.best(nearest.side.other)
-        if other is None or other.dissimilarity >= CLEAR * nearest.dissimilarity:
+        if other is None or other.dissimilarity >= nearest.clear * nearest.dissimilarity:
             return nearest.side
         return None
 

@@ -221,8 +221,9 @@ def placed_foot(found: FoundFoot, candidate: FootCandidate, *, force: bool = Fal
         When the shape is clearly that of the other foot, unless `force`.
     """
     other = found.best(candidate.side.other)
-    if other is not None and candidate.dissimilarity > CLEAR * other.dissimilarity and not force:
-        raise SideMismatchError(candidate.side, _reason(other.side))
+    is_other = other is not None and candidate.dissimilarity > other.clear * other.dissimilarity
+    if other is not None and is_other and not force:
+        raise SideMismatchError(candidate.side, _reason(other))
     source2insole = at_origin(found.steady, candidate.source2insole)
     placed = found.even.transformed(source2insole)
     notes = (
@@ -525,14 +526,14 @@ def _side_notes(asked: FootCandidate, other: FootCandidate | None) -> Iterator[s
     if other is None:
         return
     ratio = other.dissimilarity / asked.dissimilarity
-    if ratio < 1 / CLEAR:
+    if ratio < 1 / other.clear:
         yield Message(
             "The shape looks like a {shape_side} foot ({reason}); taken as a {side} one by force.",
             shape_side=other.side,
-            reason=_reason(other.side),
+            reason=_reason(other),
             side=asked.side,
         )
-    elif ratio < CLEAR:
+    elif ratio < asked.clear:
         yield Message(
             "The shape does not tell left from right; taken as a {side} foot as asked.",
             side=asked.side,
@@ -541,12 +542,15 @@ def _side_notes(asked: FootCandidate, other: FootCandidate | None) -> Iterator[s
         yield Message(
             "A {side} foot by its shape: {reason}.",
             side=asked.side,
-            reason=_reason(asked.side),
+            reason=_reason(asked),
         )
 
 
-def _reason(side: Side) -> str:
-    direction = "right" if side.medial_sign > 0 else "left"
+def _reason(shown: FootCandidate) -> Message:
+    """Say by what a surface looks like a foot of the candidate's side."""
+    if not shown.second_toe_found:  # where the big toe is, and whether there is one, is not seen
+        return Message("seen from above, its outline is that of such a foot rather than another")
+    direction = "right" if shown.side.medial_sign > 0 else "left"
     return Message(
         "seen from above with the toes ahead, the big toe and the high side of the arch "
         "lie on the {direction}",

@@ -8024,6 +8024,10 @@
             <translation>sett uppifrån med tårna framåt ligger stortån och valvets höga sida åt {direction}</translation>
         </message>
         <message>
+            <source>seen from above, its outline is that of such a foot rather than another</source>
+            <translation>sett uppifrån liknar konturen en sådan fot mer än en annan</translation>
+        </message>
+        <message>
             <source>seen in part only, and continued by the usual shape: {places}</source>
             <translation>bara delvis sett, och fortsatt med den vanliga formen: {places}</translation>
         </message>

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from benchmarks._random_designs import random_foot
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import PoseClicks
@@ -155,6 +156,26 @@ def test_a_foot_without_toes_is_taken_of_either_side_or_doubted(left_foot: Foot)
     found = find_foot(thrown(short, 5)[0])
     assert found.doubts
     assert all("mm" in doubt for doubt in found.doubts)
+
+
+@pytest.mark.parametrize(("medial", "lateral"), [(0.75, 0.95), (0.74, 0.84)])
+def test_a_stump_without_single_toes_is_of_no_side_and_shows_no_big_toe(
+    medial: float, lateral: float
+) -> None:
+    """Its front slopes as the toes of the other foot do, so that its outline tells too little."""
+    foot = random_foot(4)
+    x, y, _ = foot.mesh.vertices.T
+    across = np.clip(x * foot.side.medial_sign / 50, -1, 1)
+    front = ((medial + lateral) / 2 + (medial - lateral) / 2 * across) * foot.length_mm
+    found = find_foot(thrown(foot.mesh.part(y < front), 5)[0])
+    assert found.told_side is None
+    assert any("does not tell left from right" in doubt for doubt in found.doubts)
+    for side in Side:
+        candidate = found.best(side)
+        assert candidate is not None
+        notes = placed_foot(found, candidate).notes
+        assert any("does not tell left from right" in note for note in notes)
+        assert not any("big toe" in note for note in notes)
 
 
 @pytest.mark.slow
