@@ -514,7 +514,7 @@ def test_a_prescription_names_an_element_and_the_height_of_an_arch() -> None:
     own = replace(relief, id="own", kind="felt_pad")
     arch = ArchRaise(target_mm=28.0, apex_mm=(16.0, 120.0))
     lines = correction_lines(InsoleDesign(Side.LEFT, (relief, own, arch)))
-    assert lines[0].startswith("Relief under the 3rd head: Shape cut-out; Height -2 mm;")
+    assert lines[0].startswith("Relief under the 3rd head: Shape cut-out; Depth 2 mm;")
     assert "9 mm lateral of the axis, 186 mm from the heel" in lines[0]
     assert lines[1].startswith("Felt pad: Shape cut-out;")
     assert lines[2] == (
