@@ -24,7 +24,7 @@ from insole_core.records.author import TIME_FORMAT
 from insole_core.records.context import RecordsContext
 from insole_core.records.rights import Right, require
 from insole_core.records.row_seals import ROW
-from insole_core.records.rows import ids_of_joined
+from insole_core.records.rows import id_of_pseudonym, ids_of_joined
 from insole_core.records.schema import (
     accounts,
     audit,
@@ -157,15 +157,14 @@ def verify_audit(context: RecordsContext, progress: Progress = SILENT) -> AuditR
 
 
 def _person_id(connection: Connection, pseudonym: str) -> str:
-    query = select(persons.c.id).where(persons.c.pseudonym == pseudonym.strip())
-    found = connection.execute(query).scalar()
+    found = id_of_pseudonym(connection, pseudonym)
     if found is None:
         raise RecordsError(
             "Nobody has the pseudonym {pseudonym}; it stands on the patient's page and on papers "
             "for the shop.",
             pseudonym=pseudonym,
         )
-    return str(found)
+    return found
 
 
 def _all_of(person_id: str) -> Select[Any]:

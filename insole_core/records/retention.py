@@ -42,7 +42,7 @@ from insole_core.records.deleted_text import finish_erasing, note_erasing
 from insole_core.records.erasure import Eraser, is_unused
 from insole_core.records.person import new_pseudonym
 from insole_core.records.rights import Right, require, require_signed_in
-from insole_core.records.rows import ids_of_joined
+from insole_core.records.rows import id_of_pseudonym, ids_of_joined
 from insole_core.records.schema import (
     captures,
     contents,
@@ -131,7 +131,7 @@ def find_erasable(context: RecordsContext, pseudonym: str) -> Erasable:
     with context.database.reading() as connection:
         require(connection, context.author, Right.ERASE)
         query = select(persons.c.id).where(
-            persons.c.pseudonym == pseudonym.strip(), persons.c.merged_into.is_(None)
+            persons.c.id == id_of_pseudonym(connection, pseudonym), persons.c.merged_into.is_(None)
         )
         person_id = connection.execute(query).scalar()
         if person_id is None or not _has_entries(connection, person_id):

@@ -154,6 +154,24 @@ def _sorting(search: OrderSearch) -> Iterator[ColumnElement[Any]]:
     yield orders.c.number
 
 
+def id_of_pseudonym(connection: Connection, typed: str) -> str | None:
+    """Return the id of the person with a pseudonym, as somebody types it from a paper.
+
+    Small and capital letters count only where two pseudonyms differ by nothing else.
+
+    Returns
+    -------
+    str or None
+        None where nobody has it, or several have it and none as it is typed.
+    """
+    name = typed.strip()
+    query = select(persons.c.id, persons.c.pseudonym)
+    query = query.where(func.lower(persons.c.pseudonym) == func.lower(name))
+    found = {row.pseudonym: row.id for row in connection.execute(query)}
+    alike = next(iter(found.values())) if len(found) == 1 else None
+    return found.get(name, alike)
+
+
 def person_of(connection: Connection, person_id: str) -> Person:
     """Return a person, or the one that this person was merged into.
 

@@ -36,6 +36,14 @@ def test_lines_about_a_person_are_those_about_their_visits_too(records: Records)
     assert found[-1].subject == anna.pseudonym
     assert (found[0].subject, found[0].details) == (anna.pseudonym, {"person": anna.pseudonym})
     assert "Anna" not in "".join(found[-1].line.details)
+    typed = f" {anna.pseudonym.lower()} "
+    assert search_audit(records.context, AuditFilter(pseudonym=typed)) == found
+    for pseudonym in ("d-A", "D-a"):
+        records.persons.add(Person("Dora", pseudonym=pseudonym))
+    (added,) = search_audit(records.context, AuditFilter(pseudonym="D-a"))
+    assert added.subject == "D-a"
+    with pytest.raises(RecordsError, match="Nobody has the pseudonym d-a"):
+        search_audit(records.context, AuditFilter(pseudonym="d-a"))  # which of the two?
     with pytest.raises(RecordsError, match="P-NOBODY"):
         search_audit(records.context, AuditFilter(pseudonym="P-NOBODY"))
 

@@ -275,6 +275,7 @@ def test_who_may_be_erased_is_found_by_the_pseudonym_without_a_name(
         ).scalar_one()
         until = kept_until(connection, "kept")
     found = find_erasable(context, f" {pseudonym} ")
+    assert find_erasable(context, pseudonym.swapcase()) == found
     assert (found.person_id, found.visits, found.orders) == ("kept", 1, 1)
     assert found.kept_until == until
     assert found in over_retention_named(context, MUCH_LATER)

@@ -144,6 +144,8 @@ class AuditDialog(VerifyingDialog):
         """Show the latest lines that pass the filter."""
         from insole_core.records.audit_search import AuditFilter
 
+        self._lines = []  # those of another filter do not stay below what is told of this one
+        self._show_more([])
         try:
             wanted = AuditFilter(
                 self.pseudonym.text().strip(),

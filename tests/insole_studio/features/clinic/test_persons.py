@@ -173,7 +173,7 @@ def test_the_log_is_filtered_by_patient_author_and_day_and_verified(
     rest()
     assert len(dialog.table.rows) == 3
     assert all("Anna" not in " ".join(row.cells) for row in dialog.table.rows)
-    type_into(dialog.pseudonym, anna.pseudonym)
+    type_into(dialog.pseudonym, anna.pseudonym.lower())
     dialog.show_button.click()
     rest()
     assert [row.cells[4] for row in dialog.table.rows] == ["added", "added"]
@@ -182,6 +182,8 @@ def test_the_log_is_filtered_by_patient_author_and_day_and_verified(
     type_into(dialog.first_day, "2020-13-40")
     dialog.show_button.click()
     assert "is no date" in dialog.message.text()
+    assert dialog.table.rows == ()
+    assert not dialog.more.isEnabled()
     type_into(dialog.first_day, (date.today() + timedelta(days=3)).isoformat())
     QTest.keyClick(dialog.first_day, Qt.Key.Key_Return)
     rest()
