@@ -55,6 +55,12 @@ def repeat_section(evaluation: RepeatEvaluation) -> ReportSection:
     )
 
 
+def number_keys() -> tuple[str, ...]:
+    """Return the keys of the numbers that the report has of a foot all of whose measures are."""
+    of_measures = [key for name in DEFINITIONS for key in (f"sd_{name}", f"limits_95_{name}")]
+    return (*of_measures, "sole_median_mm", "sole_p95_mm")
+
+
 def _numbers(name: str, one: Repeated) -> tuple[Number, Number]:
     unit = _UNITS[DEFINITIONS[name].unit]
     return (

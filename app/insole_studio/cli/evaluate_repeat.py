@@ -31,12 +31,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Compare the captures, report them, and keep the test for measures of these sensors."""
-    check_reports(arguments)
-    from insole_core.evaluation.repeat_section import repeat_section
+    from insole_core.evaluation.repeat_section import number_keys, repeat_section
     from insole_core.workflows.calibration.repeat_tests import RepeatTests
     from insole_core.workflows.calibration.repeated_captures import repeat_captures
     from insole_core.workflows.calibration.sensor_store import sensors_folder_of_user
 
+    check_reports(arguments, number_keys())
     repeated = repeat_captures(arguments.sessions, progress.part(0.0, 0.9))
     for warning in repeated.warnings:
         print(f"Warning: {warning}", file=sys.stderr)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -45,16 +46,27 @@ def add_limit_arguments(parser: argparse.ArgumentParser, judged_by_default: bool
     )  # fmt: skip
 
 
-def check_reports(arguments: argparse.Namespace) -> None:
-    """Reject report names of an unknown format, before any work is done.
+def check_reports(arguments: argparse.Namespace, known: Collection[str] = ()) -> None:
+    """Reject report names of an unknown format and limits that say nothing, before any work.
+
+    Parameters
+    ----------
+    known
+        Keys of the numbers that the report may have; empty where these are told by its data.
 
     Raises
     ------
     UsageError
+    InputError
+        When a file of limits cannot be read.
     """
     from insole_core.workflows.calibration.report_files import check_report_paths
 
     check_report_paths(arguments.report)
+    if "limits" in arguments:
+        _limits_of(arguments, "")
+        if known:
+            _check_keys(arguments, known)
 
 
 def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace) -> None:
@@ -69,11 +81,14 @@ def conclude(section: ReportSection, serial: str, arguments: argparse.Namespace)
     ------
     CalibrationError
         When a limit is exceeded; the reports are written nevertheless.
+    UsageError
+        When --limit names no number of the evaluation.
     InsoleError
     """
     from insole_core.evaluation.report import judged, section_lines
     from insole_core.workflows.calibration.report_files import make_report, write_reports
 
+    _check_keys(arguments, [number.key for number in section.numbers])
     section = judged(section, _limits_of(arguments, section.key))
     report = make_report(section.title, serial, [section])
     write_reports(report, arguments.report)
@@ -92,6 +107,15 @@ def _limits_of(arguments: argparse.Namespace, section: str) -> Limits:
     limits = {} if path is None else load_limits(bundled_limits_path() if path == BUNDLED else path)
     named = dict(_limit(text) for text in arguments.limit)
     return {**limits, section: {**limits.get(section, {}), **named}}
+
+
+def _check_keys(arguments: argparse.Namespace, known: Collection[str]) -> None:
+    for key, _limit_of in map(_limit, arguments.limit):
+        if key not in known:
+            raise UsageError(
+                f'--limit is of "{key}", and the report has no such number; use one of '
+                f"{', '.join(known)}."
+            )
 
 
 def _limit(text: str) -> tuple[str, float]:

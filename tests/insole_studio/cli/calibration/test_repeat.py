@@ -13,7 +13,7 @@ import pytest
 
 from insole_core.errors import InputError
 from insole_core.evaluation.repeat import Repeated
-from insole_core.evaluation.repeat_section import repeat_section
+from insole_core.evaluation.repeat_section import number_keys, repeat_section
 from insole_core.evaluation.report import Report
 from insole_core.evaluation.report_files import write_pdf
 from insole_core.geometry.arrays import RawArray
@@ -108,6 +108,39 @@ def test_a_place_that_scatters_too_much_keeps_nothing(
     assert "foot length, SD" in failed
     assert "The test is not kept" in not_kept
     assert not list(tmp_path.rglob(REPEAT_TESTS_FILE))
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "told"),
+    [
+        (["--limit", "foot_length=2"], 2, '--limit is of "foot_length", and the report has no'),
+        (["--limit", "sd_foot_length"], 2, '--limit is "sd_foot_length"; give the key'),
+        (["--limits", "nothing.json"], 1, "nothing.json"),
+    ],
+)
+def test_limits_that_say_nothing_are_told_before_anything_is_read(
+    words: list[str], status: int, told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["evaluate", "repeat", "a", "b", "c", *words]) == status
+    (line,) = capsys.readouterr().err.splitlines()
+    assert told in line
+
+
+@pytest.mark.parametrize("step", ["chain", "wall", "noise"])
+def test_so_they_are_by_the_other_evaluations(
+    step: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sphere = ["--ball", "--diameter", "60"] if step == "chain" else []
+    assert run(["evaluate", step, "nothing", *sphere, "--limit", "x=-1"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert '--limit is "x=-1"' in line
+
+
+def test_the_keys_that_limits_may_have_are_those_of_the_report(
+    repeated: RepeatedCaptures,
+) -> None:
+    section = repeat_section(repeated.evaluation)
+    assert {number.key for number in section.numbers} <= set(number_keys())
 
 
 @pytest.mark.slow
