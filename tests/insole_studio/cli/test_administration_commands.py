@@ -169,6 +169,25 @@ def test_those_whose_time_is_over_are_listed_and_erased(
     assert "A-1" not in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("step", ["audit", "list", "retention"])
+@pytest.mark.parametrize("limit", ["0", "-3"])
+def test_a_list_has_at_least_one_line(
+    step: str, limit: str, command: Command, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        command(step, "--limit", limit)
+    assert ended.value.code == 2
+    assert f"--limit: {limit} is less than 1" in capsys.readouterr().err
+
+
+def test_days_of_the_log_that_end_before_they_begin_are_told(
+    command: Command, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert command("audit", "--from", "2026-11-20", "--to", "2026-11-19") == 2
+    assert "--from is 2026-11-20, which is after --to 2026-11-19" in capsys.readouterr().err
+    assert command("audit", "--from", "2026-11-20", "--to", "2026-11-20") == 0
+
+
 def test_the_schedule_of_the_station_is_told_and_changed(
     command: Command,
     tmp_path: Path,

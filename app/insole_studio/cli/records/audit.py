@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from insole_core.errors import RecordsError
+from insole_core.errors import RecordsError, UsageError
 from insole_core.messages import counted
 from insole_core.progress import Progress
-from insole_studio.cli.argument_parser import day, whole
+from insole_studio.cli.argument_parser import day, from_one
 from insole_studio.cli.records.arguments import add_place, opened, print_rows
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--to", type=day, dest="last", metavar="DAY", help="the last day")
     parser.add_argument(
-        "--limit", type=whole, default=200, metavar="N", help="most lines (default: 200)"
+        "--limit", type=from_one, default=200, metavar="N", help="most lines (default: 200)"
     )
     parser.add_argument("--json", action="store_true", help="as JSON, for other programs")
     parser.add_argument(
@@ -43,6 +43,9 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     """Print lines, or verify all of them."""
     from insole_core.records.rights import Right
 
+    first, last = arguments.first, arguments.last
+    if first is not None and last is not None and first > last:
+        raise UsageError(f"--from is {first}, which is after --to {last}; exchange them.")
     with opened(arguments, Right.READ_AUDIT) as records:
         if arguments.verify:
             _verify(records, progress)

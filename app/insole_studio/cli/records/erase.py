@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from insole_core.errors import UsageError
 from insole_core.messages import counted
 from insole_core.progress import Progress
-from insole_studio.cli.argument_parser import Step, whole
+from insole_studio.cli.argument_parser import Step, from_one, whole
 from insole_studio.cli.records.arguments import add_place, opened
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def _add_retention_arguments(parser: argparse.ArgumentParser) -> None:
         "--years", type=whole, metavar="N", help="keep the record for so many years, 10 to 100"
     )
     parser.add_argument(
-        "--limit", type=whole, default=100, metavar="N", help="most persons (default: 100)"
+        "--limit", type=from_one, default=100, metavar="N", help="most persons (default: 100)"
     )
     add_place(parser)
 

@@ -10,7 +10,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from insole_core.progress import Progress
-from insole_studio.cli.argument_parser import Step, day, whole
+from insole_studio.cli.argument_parser import Step, day, from_one
 from insole_studio.cli.records.arguments import (
     Row,
     add_person,
@@ -35,7 +35,7 @@ def _add_list_arguments(parser: argparse.ArgumentParser) -> None:
         "--visits", type=day, metavar="DAY", help="visits of a day: 2026-11-20, or today"
     )
     parser.add_argument(
-        "--limit", type=whole, default=50, metavar="N", help="most persons (default: 50)"
+        "--limit", type=from_one, default=50, metavar="N", help="most persons (default: 50)"
     )
     parser.add_argument("--json", action="store_true", help="as JSON, for other programs")
     add_place(parser)
