@@ -94,7 +94,12 @@ class PrintVersion(argparse.Action):
 
 def number(text: str) -> float:
     """Convert an argument to a finite number."""
-    value = float(text)
+    try:
+        value = float(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(
+            f"{_cut(text)} is no number; write one with a point and no comma, such as 100.3"
+        ) from error
     if not (math.isfinite(value) and abs(value) <= _MOST):
         raise argparse.ArgumentTypeError(f"{_cut(text)} is no usual number")
     return value
@@ -102,7 +107,14 @@ def number(text: str) -> float:
 
 def whole(text: str) -> int:
     """Convert an argument to a whole number."""
-    value = int(text)
+    return _whole(text, "no whole number")
+
+
+def _whole(text: str, lack: str) -> int:
+    try:
+        value = int(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(f"{_cut(text)} is {lack}") from error
     if abs(value) > _MOST:
         raise argparse.ArgumentTypeError(f"{_cut(text)} is no usual number")
     return value
@@ -118,7 +130,7 @@ def positive(text: str) -> float:
 
 def from_one(text: str) -> int:
     """Convert an argument to a whole number from 1 on."""
-    value = whole(text)
+    value = _whole(text, "no whole number of 1 or more")
     if value < 1:
         raise argparse.ArgumentTypeError(f"{_cut(text)} is less than 1")
     return value

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from insole_core.errors import UsageError
 from insole_core.geometry.side import Side
 from insole_core.progress import Progress
-from insole_studio.cli.argument_parser import number
+from insole_studio.cli.argument_parser import number, whole
 from insole_studio.cli.path_arguments import OutputPath
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="which foot it is; needed where the file does not say",
     )  # fmt: skip
     parser.add_argument(
-        "--insole", type=int, metavar="N", help="which of several insoles in the file, from 1"
+        "--insole", type=whole, metavar="N", help="which of several insoles in the file, from 1"
     )
     parser.add_argument(
         "--pitch", type=_pitch, metavar="MM",
@@ -51,7 +51,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--unit", choices=["kPa", "N/cm2", "mmHg", "psi", "g/cm2", "kg/cm2", "N"])
     parser.add_argument("--seen-from", choices=["above", "below"])
-    parser.add_argument("--step", type=int, metavar="N", help="one contact only, from 1")
+    parser.add_argument("--step", type=whole, metavar="N", help="one contact only, from 1")
     parser.add_argument(
         "--frames", default="peak", metavar="peak|mean|N",
         help="the greatest of all frames (default), their mean, or one frame from 1",
@@ -168,7 +168,7 @@ def _pitch(text: str) -> tuple[float, float]:
     across, _, along = text.partition("x")
     try:
         return number(across), number(along or across)
-    except ValueError as error:
+    except argparse.ArgumentTypeError as error:
         raise argparse.ArgumentTypeError(
             f"{text!r} is no distance of sensors; give one in mm, such as 5, or two such as 5x7 "
             "(across x along)"

@@ -254,7 +254,7 @@ def _print_regions(told: PressureChange) -> None:
 def _place(text: str) -> tuple[float, float]:
     try:
         x, y = (number(part) for part in text.split(","))
-    except ValueError as error:
+    except (ValueError, argparse.ArgumentTypeError) as error:
         raise argparse.ArgumentTypeError(
             f"{text!r} is no place; give x and y in mm, such as 12,150"
         ) from error

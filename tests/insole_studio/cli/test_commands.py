@@ -487,6 +487,26 @@ def test_both_feet_of_a_session_are_designed_in_one_go(
         (["design", "f.ply", "--out", "i.stl", "--triangles", "0"], "--triangles: 0 is less than"),
         (["order", "create", "c", "--out", "o", "--triangles", "0"], "--triangles: 0 is less than"),
         (["order", "create", "c", "--out", "o", "--quantity", "0"], "--quantity: 0 is less than 1"),
+        (
+            ["order", "create", "c", "--out", "o", "--quantity", "two"],
+            "--quantity: two is no whole number of 1 or more;",
+        ),
+        (["records", "restore", "b", "--snapshot", "x"], "--snapshot: x is no whole number;"),
+        (["simulate", "o.zip", "--seed", "1.5"], "--seed: 1.5 is no whole number;"),
+        (
+            ["order", "nest", "o", "--out", "n.3mf", "--size", "9x9x9", "--gap", "100,3"],
+            "--gap: 100,3 is no number; write one with a point and no comma, such as 100.3;",
+        ),
+        (
+            ["records", "accounts", "add", "e", "--full-name", "E", "--role", "king"],
+            "--role: invalid choice: 'king' (choose from",
+        ),
+        (
+            ["pressure-change", "a.insole", "b", "--weight-kg", "70", "--at", "12,x"],
+            "'12,x' is no place; give x and y in mm",
+        ),
+        (["pressure", "m.csv", "--pitch", "a"], "'a' is no distance of sensors"),
+        (["pressure", "m.csv", "--step", "one"], "--step: one is no whole number"),
     ],
 )
 def test_a_number_that_cannot_be_is_refused_before_anything_is_read(

@@ -32,11 +32,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add(todo, "off", "let everybody at the computer do everything again", _switch_off)
     add = _add(todo, "add", "add an account, with a first password for its owner", _add_one)
     _add_names(add)
-    add.add_argument("--role", type=Role, choices=list(Role), required=True)
+    add.add_argument("--role", choices=[*map(str, Role)], required=True)
     change = _add(todo, "change", "give an account another name, role or system user", _change)
     change.add_argument("name", metavar="NAME")
     change.add_argument("--full-name", metavar="TEXT", help="as papers print it")
-    change.add_argument("--role", type=Role, choices=list(Role))
+    change.add_argument("--role", choices=[*map(str, Role)])
     user = change.add_mutually_exclusive_group()
     user.add_argument(
         "--system-user", metavar="USER",
@@ -110,7 +110,7 @@ def _switch_off(records: Records, _arguments: argparse.Namespace) -> None:
 
 def _add_one(records: Records, arguments: argparse.Namespace) -> None:
     password = new_password(f"First password of {arguments.name}")
-    records.accounts.add(arguments.name, arguments.full_name, arguments.role, password)
+    records.accounts.add(arguments.name, arguments.full_name, Role(arguments.role), password)
 
 
 def _change(records: Records, arguments: argparse.Namespace) -> None:
@@ -120,7 +120,7 @@ def _change(records: Records, arguments: argparse.Namespace) -> None:
         replace(
             account,
             full_name=arguments.full_name or account.full_name,
-            role=arguments.role or account.role,
+            role=Role(arguments.role or account.role),
             is_disabled=arguments.disable or (account.is_disabled and not arguments.enable),
             system_user=account.system_user if user is None else user,
         )
