@@ -15,7 +15,7 @@ import os
 import re
 import zlib
 from collections.abc import Callable, Container, Iterator, Mapping
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -24,7 +24,7 @@ from typing import Any, BinaryIO, Final, Self
 import pyrage
 
 from insole_core.errors import InputError, InsoleError, OutputError, RecordsError
-from insole_core.files.atomic import make_private_folder, write_text
+from insole_core.files.atomic import PRIVATE_FOLDER, make_private_folder, write_text
 from insole_core.files.file_lock import FileLock
 from insole_core.files.file_safety import sync
 from insole_core.files.temporary import make_file, release, remove, sweep
@@ -143,6 +143,15 @@ class BackupHead:
     recipient: str
     locked: str
     opened_by: str
+
+
+def folder_is_away(folder: Path) -> OutputError:
+    """Return the error that the folder of the backups is not there, for the caller to raise."""
+    return OutputError(
+        "The folder of the backups, {folder}, is not there; connect its disk, or choose another "
+        "folder.",
+        folder=folder,
+    )
 
 
 class BackupFolder:
@@ -421,9 +430,9 @@ class BackupWriter:
         if name in self._known:
             return
         folder = self._folder.path / OBJECTS / name[:2]
-        with output_errors(folder):
+        with self._output_errors(folder):
             if not folder.is_dir():
-                make_private_folder(folder)
+                folder.mkdir(mode=PRIVATE_FOLDER)  # the one above is made when the backup begins
                 self._unsynced.add(folder.parent)
 
         def path_of(size: int, digest: str) -> Path:
@@ -438,7 +447,7 @@ class BackupWriter:
         path_of: Callable[[int, str], Path],
     ) -> Path:
         """Write a file beside its place, read it again, and give it its name."""
-        with output_errors(folder):
+        with self._output_errors(folder):
             beside = make_file(folder, folder)
             try:
                 with beside.open("wb") as file:
@@ -463,9 +472,20 @@ class BackupWriter:
         self.written_bytes += hashing.size
         return path
 
+    @contextmanager
+    def _output_errors(self, path: Path) -> Iterator[None]:
+        """Do as `output_errors`, and tell where the disk was taken away meanwhile."""
+        try:
+            with output_errors(path):
+                yield
+        except OutputError as error:
+            if not (self._folder.path / HEAD_FILE).is_file():
+                raise folder_is_away(self._folder.path) from error
+            raise
+
     def _sync_folders(self) -> None:
         for folder in sorted(self._unsynced):
-            with output_errors(folder):
+            with self._output_errors(folder):
                 sync(folder)
         self._unsynced.clear()
 

@@ -45,7 +45,12 @@ from insole_core.records.author import Role
 from insole_core.records.backup import backup_folder
 from insole_core.records.backup import restore as restoring
 from insole_core.records.backup.back_up import BackupReport, BackupSchedule, back_up, set_up_backups
-from insole_core.records.backup.backup_folder import HEAD_FILE, UNFINISHED, BackupFolder
+from insole_core.records.backup.backup_folder import (
+    HEAD_FILE,
+    UNFINISHED,
+    BackupFolder,
+    BackupWriter,
+)
 from insole_core.records.backup.backup_key import BackupKey, DamagedBackup, WrongSecret, open_key
 from insole_core.records.backup.restore import PlaceTaken, RestoreReport, restore
 from insole_core.records.backup.snapshot import check_backup, damaged_files, open_snapshot
@@ -439,6 +444,23 @@ def test_a_disk_that_gets_full_while_it_encrypts_is_told(
             open_snapshot(folder, SECRET, number)
     back_up(context, folder)
     assert check_backup(folder, SECRET).is_sound
+
+
+@pytest.mark.parametrize("after", [0, 2, 5])
+def test_a_folder_that_goes_away_during_a_backup_is_told_and_not_made_anew(
+    after: int, context: RecordsContext, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put, written = BackupWriter.put_rows, iter(range(100))
+
+    def unplug(writer: BackupWriter, sha256: str, content: bytes) -> None:
+        if next(written) == after:
+            folder.rename(folder.with_name("elsewhere"))
+        put(writer, sha256, content)
+
+    monkeypatch.setattr(BackupWriter, "put_rows", unplug)
+    with pytest.raises(OutputError, match=r"^The folder of the backups, .* connect its disk"):
+        back_up(context, folder)
+    assert not folder.exists()
 
 
 def test_a_disk_that_does_not_keep_what_is_written_is_told(

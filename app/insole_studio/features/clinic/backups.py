@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from insole_core.errors import InputError, InsoleError
-from insole_core.messages import Message, counted
+from insole_core.errors import InsoleError
+from insole_core.messages import counted
 from insole_core.progress import Progress
 from insole_studio.jobs import Jobs
 from insole_studio.services.app_services import AppServices
@@ -317,13 +317,13 @@ def newest_in(folder: Path) -> datetime | None:
 
     Raises
     ------
-    InputError
+    OutputError
         When the folder is not there, as on a disk that is not connected.
     """
-    from insole_core.records.backup.backup_folder import BackupFolder
+    from insole_core.records.backup.backup_folder import BackupFolder, folder_is_away
 
     if not folder.is_dir():
-        raise _not_there(folder)
+        raise folder_is_away(folder)
     snapshots = BackupFolder(folder).snapshots()
     return snapshots[-1].made_at if snapshots else None
 
@@ -382,17 +382,7 @@ def files_text(count: int) -> str:
 
 
 def _check_there(folder: Path) -> None:
-    from insole_core.records.backup.backup_folder import HEAD_FILE
+    from insole_core.records.backup.backup_folder import HEAD_FILE, folder_is_away
 
     if not (folder / HEAD_FILE).is_file():
-        raise _not_there(folder)
-
-
-def _not_there(folder: Path) -> InputError:
-    return InputError(
-        Message(
-            "The folder of the backups, {folder}, is not there; connect its disk, or choose "
-            "another folder.",
-            folder=folder,
-        )
-    )
+        raise folder_is_away(folder)

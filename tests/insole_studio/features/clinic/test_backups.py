@@ -21,7 +21,7 @@ from insole_core.cases.sample import SAMPLE_PSEUDONYM
 from insole_core.messages import Value
 from insole_core.progress import Cancelled, Progress
 from insole_core.records.backup.back_up import _Source, back_up, set_up_backups
-from insole_core.records.backup.backup_folder import BackupFolder
+from insole_core.records.backup.backup_folder import BackupFolder, folder_is_away
 from insole_core.records.backup.backup_key import BackupKey
 from insole_core.records.backup.snapshot import Manifest
 from insole_core.records.person import Person
@@ -431,7 +431,7 @@ def test_after_a_failure_it_is_tried_again_only_after_a_while(
 
     def newest(folder: Path) -> datetime:
         asked.append(folder)
-        raise backups._not_there(folder)
+        raise folder_is_away(folder)
 
     monkeypatch.setattr(backups, "newest_in", newest)
     planned = clinic.features.clinic.backups
