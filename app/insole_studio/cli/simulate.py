@@ -125,8 +125,8 @@ def _add_infrared_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--disturbed", action="append", choices=["speckle", "noise", "sunlight", "drift", "skin"],
         default=[],
-        help="what spoils the infrared picture: speckle of 50 %%, twice the noise, sunlight on "
-        "half of the foot, dots that have moved by 0.1 px, or hair and a glossy nail; may be "
+        help="what spoils depth and infrared picture: speckle of 50 %%, twice the noise, sunlight "
+        "on half of the foot, dots that have moved by 0.1 px, or hair and a glossy nail; may be "
         "repeated",
     )  # fmt: skip
 

@@ -180,6 +180,31 @@ def test_a_list_has_at_least_one_line(
     assert f"--limit: {limit} is less than 1" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["list", "foo", "--orders"], "--orders and --visits list all, and take no WORD"),
+        (["list", "foo", "--visits", "today"], "--orders and --visits list all, and take no WORD"),
+        (["audit", "--verify", "--person", "NOPE"], "--verify reads the whole log"),
+        (["audit", "--verify", "--to", "2026-11-20"], "--verify reads the whole log"),
+        (["list", "--password-fd", "77"], "name it with --account"),
+        (["audit", "--password-file", "nothing"], "name it with --account"),
+        (["accounts", "off"], "The record has no accounts"),
+    ],
+)
+def test_what_would_be_ignored_is_refused_and_nothing_is_written(
+    words: list[str],
+    told: str,
+    command: Command,
+    records: Records,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    lines = len(records.audit.lines())
+    assert command(*words) == 2
+    assert told in capsys.readouterr().err
+    assert len(records.audit.lines()) == lines
+
+
 def test_days_of_the_log_that_end_before_they_begin_are_told(
     command: Command, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -105,6 +105,9 @@ def _switch_on(records: Records, arguments: argparse.Namespace) -> None:
 
 
 def _switch_off(records: Records, _arguments: argparse.Namespace) -> None:
+    accounts = records.accounts
+    if not accounts.are_on and not accounts.were_switched_off_unseen():
+        raise UsageError("The record has no accounts, so there are none to switch off.")
     records.accounts.switch_off()
 
 

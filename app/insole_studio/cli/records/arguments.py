@@ -71,6 +71,13 @@ def place_of(arguments: argparse.Namespace) -> RecordsPlace:
     """
     from insole_core.records.place import RecordsPlace
 
+    if arguments.account is None and (arguments.password_file, arguments.password_fd) != (
+        None,
+        None,
+    ):
+        raise UsageError(
+            "--password-file and --password-fd are of an account; name it with --account."
+        )
     if arguments.database is None:
         if arguments.contents is not None:
             raise UsageError("--contents belongs to --database; name both, or neither.")

@@ -44,6 +44,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.records.rights import Right
 
     first, last = arguments.first, arguments.last
+    if arguments.verify and (arguments.person or arguments.author or first or last):
+        raise UsageError(
+            "--verify reads the whole log; leave out --person, --author, --from and --to."
+        )
     if first is not None and last is not None and first > last:
         raise UsageError(f"--from is {first}, which is after --to {last}; exchange them.")
     with opened(arguments, Right.READ_AUDIT) as records:

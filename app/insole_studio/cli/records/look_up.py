@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from datetime import date
 from typing import TYPE_CHECKING
 
+from insole_core.errors import UsageError
 from insole_core.progress import Progress
 from insole_studio.cli.argument_parser import Step, day, from_one
 from insole_studio.cli.records.arguments import (
@@ -45,6 +46,8 @@ def _run_list(arguments: argparse.Namespace, _progress: Progress) -> None:
     """Print a line for each."""
     from insole_core.records.rights import Right
 
+    if arguments.words and (arguments.orders or arguments.visits is not None):
+        raise UsageError("--orders and --visits list all, and take no WORD; leave one out.")
     with opened(arguments, Right.SEE) as records:
         rows = _rows(records, arguments)
     print_rows(rows, as_json=arguments.json)
