@@ -57,6 +57,22 @@ def back_up(folder: Path, *more: str) -> int:
     return run(["records", "backup", str(folder), "--recipient", str(IDENTITY.to_public()), *more])
 
 
+@pytest.mark.parametrize("part", [".", "sub", "sub/below"])
+def test_backups_do_not_lie_in_the_record(
+    part: str, record: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert back_up(record / part) == 2
+    assert "the folder of the record; name another folder" in capsys.readouterr().err
+    assert not (record / "sub").exists()
+    backups = tmp_path / "bk"
+    assert back_up(backups) == 0
+    before = names_in(backups)
+    words = ["records", "restore", str(backups), "--record", str(backups)]
+    assert run(words) == 2
+    assert "the folder of the record; name another folder" in capsys.readouterr().err
+    assert names_in(backups) == before
+
+
 def names_in(folder: Path) -> list[str]:
     records = open_records(RecordsPlace.local(folder), ANNA)
     names = [person.name for person in records.persons.recent()]

@@ -65,6 +65,7 @@ def _run_backup(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.records.rights import Right
 
     with opened(arguments, Right.BACK_UP) as records:
+        _check_apart(arguments.folder, records.place)
         _refuse_wrong_record(records)
         key = key_of_backups(records.context)
         if key is None:
@@ -85,6 +86,21 @@ def _run_backup(arguments: argparse.Namespace, progress: Progress) -> None:
     )
     for sha256 in report.damaged:
         print(f"not in the backup, because the record has lost it: {sha256}")
+
+
+def _check_apart(backups: Path, place: RecordsPlace) -> None:
+    """Refuse backups in the folder of their record: whatever takes one takes the other.
+
+    Raises
+    ------
+    UsageError
+    """
+    record = place.contents.parent if place.is_local else place.contents
+    if backups.resolve().is_relative_to(record.resolve()):
+        raise UsageError(
+            f"{backups} lies in {record}, the folder of the record; name another folder, at best "
+            "on another disk."
+        )
 
 
 def _refuse_wrong_record(records: Records) -> None:
@@ -253,9 +269,10 @@ def _run_restore(arguments: argparse.Namespace, progress: Progress) -> None:
     from insole_core.records.backup.restore import restore
     from insole_studio.document.record_location import settings_for
 
+    paths, place = UserPaths.of_user(), place_of(arguments)
+    _check_apart(arguments.folder, place)
     if arguments.set_aside:
         check_may_set_aside(arguments)
-    paths, place = UserPaths.of_user(), place_of(arguments)
     location = _location_of(place, paths)
     report = restore(
         arguments.folder,
