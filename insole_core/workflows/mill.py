@@ -81,10 +81,17 @@ def find_machine(named: str, folder: Path) -> Machine:
     machines = clinic_machines(folder).load().items
     machine = machines.get(key_of(named))
     if machine is None:
+        known = ", ".join(machine.name for machine in machines.values())
+        if Path(named).is_file():
+            raise InputError(
+                "{name} is no machine file: these end in .json. Name one, or a machine: {known}.",
+                name=named,
+                known=known,
+            )
         raise InputError(
             "There is no machine {name}; there are {known}. Choose one, or name a machine file.",
             name=named,
-            known=", ".join(machine.name for machine in machines.values()),
+            known=known,
         )
     return machine
 

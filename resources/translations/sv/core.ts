@@ -9584,6 +9584,10 @@
             <translation>{name} heter som en {side} fot men ser ut som en {told}; ange vilken fot det är.</translation>
         </message>
         <message>
+            <source>{name} is no machine file: these end in .json. Name one, or a machine: {known}.</source>
+            <translation>{name} är ingen maskinfil: sådana slutar på .json. Ange en, eller en maskin: {known}.</translation>
+        </message>
+        <message>
             <source>{name} is no number a design can hold; put in a usual one.</source>
             <translation>{name} är inget tal som en design kan ha; ange ett vanligt.</translation>
         </message>

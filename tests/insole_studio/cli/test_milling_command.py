@@ -94,6 +94,17 @@ def test_a_wrong_call_says_so_before_the_foot_is_read(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_file_that_is_no_machine_file_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = tmp_path / "t.csv"
+    table.write_text("a;b\n")
+    nest = ["order", "nest", "o.zip", "--out", str(tmp_path / "n.3mf"), "--size", "400x300x60"]
+    assert run([*nest, "--machine", str(table)]) != 0
+    told = capsys.readouterr().err.splitlines()[-1]
+    assert "t.csv is no machine file: these end in .json. Name one, or a machine: GRBL" in told
+
+
 def test_an_earlier_program_is_told_before_the_foot_is_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

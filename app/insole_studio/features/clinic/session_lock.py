@@ -170,7 +170,8 @@ class _Cover(QWidget):
         label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         layout = QVBoxLayout(self)
         layout.addWidget(label)
-        self._covering_title = f"Insole Studio – {words}"
+        # Systems put the name behind a title that does not end with it.
+        self._covering_title = f"{words} – Insole Studio"
         self._window = window
         self._title = window.windowTitle()
         self._hide_title()

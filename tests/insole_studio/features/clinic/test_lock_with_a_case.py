@@ -93,6 +93,7 @@ def test_what_was_just_changed_is_saved_while_locked_and_the_next_user_goes_on_w
     assert opened.features.clinic.lock.dialog is not None
     qtbot.waitUntil(lambda: newest(eva, opened) == ("eva", 4.5))
     assert "Anna" not in opened.window.windowTitle()
+    assert opened.window.windowTitle() == "Locked – Insole Studio"  # the name once
     take_over(opened, qtbot, "eva", OTHER_PASSWORD)
     assert opened.case.record is record
     assert "Anna" in opened.window.windowTitle()
