@@ -77,11 +77,7 @@ def main(*folders: str) -> None:
             compared.append(compare(folder))
             print(".", end="", flush=True)
     print()
-    names = [*DEFINITIONS, _AXIS]
-    print_table(
-        ["measure", "bias", "rms", "stated ±", "within", "sessions"],
-        [row for name in names if (row := _row(name, compared))],
-    )
+    print_errors(compared)
     lengths = ("foot_length", "ball_width_across", "ball_length", "heel_width", _AXIS)
     print_table(
         ["error of", *lengths],
@@ -89,11 +85,22 @@ def main(*folders: str) -> None:
     )
 
 
+def print_errors(compared: list[Compared]) -> None:
+    """Print bias, root mean square, stated ± and what lies within it, for each measure."""
+    print_table(
+        ["measure", "bias", "rms", "stated ±", "within", "sessions"],
+        [row for name in (*DEFINITIONS, _AXIS) if (row := _row(name, compared))],
+    )
+
+
 def compare(folder: Path) -> Compared:
-    opened = open_session(folder)
-    side = opened.session.manifest.one_side
-    foot = make_foot(opened).scan.foot
-    truth = place_foot(read_mesh(folder / "truth.ply").mesh, side, frame="reference")
+    foot = make_foot(open_session(folder)).scan.foot
+    return judged(folder.name, foot, read_mesh(folder / "truth.ply").mesh)
+
+
+def judged(name: str, foot: Foot, surface: TriangleMesh) -> Compared:
+    """Hold the measures of a foot against those of its true surface (reference frame, mm)."""
+    truth = place_foot(surface, foot.side, frame="reference")
     marks = find_landmarks(foot)
     found, known = measure(foot, marks), measure(truth, find_landmarks(truth))
     errors = {
@@ -104,7 +111,7 @@ def compare(folder: Path) -> Compared:
     errors[_AXIS] = _axis_deg(foot) - _axis_deg(truth)
     spreads = spreads_of(marks, is_recorded=True).items()
     limits = {name: s.limits_95 for name, s in spreads if s.limits_95 is not None}
-    return Compared(folder.name, errors, limits)
+    return Compared(name, errors, limits)
 
 
 def _axis_deg(foot: Foot) -> float:
@@ -141,24 +148,34 @@ def _sessions(scratch: Path) -> Iterator[Path]:
             distance_mm=_DISTANCES_MM[number % len(_DISTANCES_MM)],
         )
         yield _written(options, scratch / f"simulated_{SEED + number}")
-    for number, (file, side, scale, distance_mm, mirrored) in enumerate((*_OTHERS, *_varied())):
+    for number, (file, side, scale, distance_mm, mirrored) in enumerate(
+        (*_OTHERS, *varied(VARIED, SEED))
+    ):
         if (SHARED / file).exists():
-            mesh = place_foot(read_mesh(SHARED / file).mesh, side, frame="unknown").mesh
-            mesh = TriangleMesh(mesh.vertices * scale, mesh.triangles)
-            shown = side.other if mirrored else side
-            body = body_of(mesh.mirrored() if mirrored else mesh, shown)
+            shown, body = scaled_body(file, side, scale, mirrored)
             options = SimulationOptions(
                 seed=SEED + 50 + number, side=shown, distance_mm=distance_mm, body=body
             )
             yield _written(options, scratch / f"{Path(file).parent}_{number}")
 
 
-def _varied() -> Iterator[tuple[str, Side, tuple[float, ...], int, bool]]:
-    rng = np.random.default_rng(SEED)
-    for number in range(VARIED):
+def varied(count: int, seed: int) -> Iterator[tuple[str, Side, tuple[float, ...], int, bool]]:
+    """Yield real feet and a template in other sizes: file, its side, scale, mm, mirrored."""
+    rng = np.random.default_rng(seed)
+    for number in range(count):
         scale = tuple(rng.uniform(*_SCALED))
         distance_mm, mirrored = int(rng.uniform(690, 820)), bool(rng.integers(2))
         yield (*_ORIGINS[number % len(_ORIGINS)], scale, distance_mm, mirrored)
+
+
+def scaled_body(
+    file: str, side: Side, scale: tuple[float, ...], mirrored: bool
+) -> tuple[Side, KnownBody]:
+    """Return a foot of the shared data in another size, and which side it shows then."""
+    mesh = place_foot(read_mesh(SHARED / file).mesh, side, frame="unknown").mesh
+    mesh = TriangleMesh(mesh.vertices * scale, mesh.triangles)
+    shown = side.other if mirrored else side
+    return shown, body_of(mesh.mirrored() if mirrored else mesh, shown)
 
 
 def body_of(mesh: TriangleMesh, side: Side) -> KnownBody:

@@ -43,7 +43,7 @@ _HEADS = np.array(
 )  # fmt: skip
 _FIRST, _FIFTH = np.array([-0.167, 0.03]), np.array([0.145, 0.085])
 """From the outermost points of the ball to the heads, in ball widths: medial, ahead."""
-_BEHIND = UsualEnd((22.0, 8.0), (32.0, 6.0), (25.0, 10.0))
+_BEHIND = UsualEnd((22.0, 8.0), (32.0, 10.0), (30.0, 20.0), (50.0, 25.0))
 _MEDIAL_HEEL = UsualBorder((29, 29, 31, 7), (23, 24, 26, 6), (60, 60, 60, 20), 80, np.inf, True)
 _LATERAL_HEEL = UsualBorder((26, 26, 28, 7), (19, 20, 22, 6), (60, 60, 60, 20), 80, np.inf, True)
 _MEDIAL_BORDER = UsualBorder(

@@ -3,13 +3,14 @@
 A round end is described by its support function: the distance H of the tangent plane whose normal
 has the slopes a across and b upwards against the direction of the end,
 
-    H(a, b) = reach + across a + height b + bend f(a) + twist a b + section f(b)
+    H(a, b) = reach + across a + height b + bend f(a) + twist a b + below f(b₋) + above f(b₊)
 
 with f(s) = √(1 + s²) − 1, whose second derivative is a radius: of the outline seen from below
-(bend) and of the upright section. It is linear in its parameters, so tangent planes (outlines in
-pictures, the surface), the places where the surface touches them, and the usual radii form one
-least-squares problem, whose covariance gives the uncertainty. Of an outline only the plane counts;
-where along its ray it touches the foot is known no better than the surface.
+(bend), and of the upright section below and above the end, where b is negative (b₋) and positive
+(b₊): a heel is round below and nearly straight above. It is linear in its parameters, so tangent
+planes (outlines in pictures, the surface), the places where the surface touches them, and the usual
+radii form one least-squares problem, whose covariance gives the uncertainty. Of an outline only the
+plane counts; where along its ray it touches the foot is known no better than the surface.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from insole_core.geometry.mesh import ContourConstraints
 _LEAST_TOWARDS = 0.5  # cosine against the direction of the planes that count
 _ASIDE = 0.6  # slope across up to which planes count less and less
 _DEPTH_MM = 8.0  # to either side of the end, beyond which nothing belongs to it
-_TOUCH_MM, _TOUCHES_SHARED = 0.35, 2.0  # noise of a contour, and how many points share it
+_TOUCH_MM, _TOUCHES_SHARED = 0.2, 2.0  # noise of a contour, and how many points share it
 _OUTLYING_TOUCH_MM, _OUTLYING = 1.0, 2.0
 _PATCH_MM2 = 25.0  # over which the noise of the surface is the same
 _TWIST = 0.3  # usual twist, in shares of the bend
@@ -35,18 +36,19 @@ _NOTHING_MM = 1e4
 
 @dataclass(frozen=True)
 class UsualEnd:
-    """Height of an end, radius of its outline and of its section: mean and deviation, mm each."""
+    """Height of an end, radii of its outline and of its section: mean and deviation, mm each."""
 
     height_mm: tuple[float, float]
     bend_mm: tuple[float, float]
-    section_mm: tuple[float, float]
+    below_mm: tuple[float, float]
+    above_mm: tuple[float, float]
 
     def scaled(self, factor: float) -> UsualEnd:
         """Scale all lengths, for a foot of another size."""
         return UsualEnd(
             *(
                 (factor * value, factor * spread)
-                for value, spread in (self.height_mm, self.bend_mm, self.section_mm)
+                for value, spread in (self.height_mm, self.bend_mm, self.below_mm, self.above_mm)
             )
         )
 
@@ -141,8 +143,8 @@ def fit_round_end(
     measured = _Planes.of(surface.points, surface.normals, direction)
     outlines = None if touches is None else _Planes.of(touches.points, touches.normals, direction)
     shares = surface.area_mm2[measured.index] / _PATCH_MM2
-    means = np.array([usual.height_mm, usual.bend_mm, (0.0, 0.0), usual.section_mm])
-    means[2, 1] = _TWIST * usual.bend_mm[0]
+    twist = 0.0, _TWIST * usual.bend_mm[0]
+    means = np.array([usual.height_mm, usual.bend_mm, twist, usual.below_mm, usual.above_mm])
     place = start @ direction, start @ np.abs(direction[[1, 0, 2]])
     known = np.array([*place, *means[:, 0]])
     prior = np.diag(np.array([_NOTHING_MM, _NOTHING_MM, *means[:, 1]]) ** -2.0)
@@ -226,15 +228,19 @@ class _Planes:
 
     def tangents(self) -> FloatArray:
         a, b = self.aside, self.upwards
-        return np.column_stack([np.ones_like(a), a, b, _arc(a), a * b, _arc(b)])
+        return np.column_stack([np.ones_like(a), a, b, _arc(a), a * b, *map(_arc, _halves(b))])
 
     def places(self) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
         """Return rows and values of the places across and of the heights: the derivatives of H."""
         a, b = self.aside, self.upwards
         none, one = np.zeros_like(a), np.ones_like(a)
-        across = np.column_stack([none, one, none, _arc_slope(a), b, none])
-        upwards = np.column_stack([none, none, one, none, a, _arc_slope(b)])
+        across = np.column_stack([none, one, none, _arc_slope(a), b, none, none])
+        upwards = np.column_stack([none, none, one, none, a, *map(_arc_slope, _halves(b))])
         return (across, self.across), (upwards, self.height)
+
+
+def _halves(slope: FloatArray) -> tuple[FloatArray, FloatArray]:
+    return np.minimum(slope, 0.0), np.maximum(slope, 0.0)
 
 
 def _arc(slope: FloatArray) -> FloatArray:

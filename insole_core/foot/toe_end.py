@@ -20,7 +20,8 @@ SURE, GUESS = 0.95, 0.3
 _LEAST = 0.05
 MERGED = 0.45
 """Greatest confidence of a toe that does not stand out from the others."""
-_MERGED_TOES, _MERGED_HALF_MM = UsualEnd((10.0, 4.0), (40.0, 20.0), (9.0, 2.0)), 12.0
+_MERGED_TOES = UsualEnd((12.0, 4.0), (30.0, 15.0), (9.0, 3.0), (15.0, 6.0))
+_MERGED_HALF_MM = 12.0
 _AHEAD = np.array([0.0, 1.0, 0.0])
 _HALF_MM = 8.0  # to either side, where a toe of a foot of 240 mm is round
 _TIP_MM = 5.0  # to either side, where its outermost part lies
@@ -32,7 +33,7 @@ CERTAIN_MM, DOUBT = 0.5, 0.25
 """Negligible standard deviation, and loss of confidence per mm beyond it."""
 TRUSTED_MM, LEAST_TOUCHED = 1.2, 0.5
 """Standard deviation up to which outlines determine an end, and their least weight."""
-TOE = UsualEnd((10.0, 4.0), (9.0, 2.0), (9.0, 2.0))
+TOE = UsualEnd((11.0, 5.0), (9.0, 2.0), (9.0, 2.0), (9.0, 2.0))
 """Its height over the pulp: a toe may be raised."""
 
 

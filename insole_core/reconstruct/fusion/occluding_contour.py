@@ -17,7 +17,7 @@ from insole_core.reconstruct.fusion.silhouette import Silhouette
 
 _EVENED_PX = 2.0
 _STEP_PX = 0.25
-_ACROSS_PX = np.arange(-4.0, 5.0 + _STEP_PX / 2, _STEP_PX)
+_ACROSS_PX = np.arange(-7.0, 5.0 + _STEP_PX / 2, _STEP_PX)
 """Positions across the outline, outwards, at which the colours are looked up."""
 _INSIDE_PX, _OUTSIDE_PX = (-2.5, -1.0), 3.0
 """Range of positions where the skin's colour is sampled, close to the edge because the skin is
@@ -25,6 +25,16 @@ shaded towards it, and position from which on the background is sampled."""
 _LEVEL = 0.37
 """Share of skin at the edge, coming from outside: below a half, because the skin darkens towards
 the edge, so that a blurred picture shows the edge farther in."""
+_SHADED_PX = (-4.0, -1.5)
+"""Range of positions, from the edge, that tell how the skin is shaded up to it."""
+_BLUR_PX = 0.8
+"""Standard deviation of the picture's blur."""
+_HALF = 0.42
+"""What a blurred picture shows at an edge of even skin: less than a half, because the skin of a
+round foot darkens the more, the nearer its edge is."""
+_DARKEST = 0.15
+"""Least share of skin at an edge; the background's own noise is nearer to none."""
+_ROUNDS = 3
 _LEAST_CONTRAST = 30.0
 _ROUGHEST = 0.25
 """Largest spread of the background, per contrast; beyond, the edge may be a different one."""
@@ -200,18 +210,39 @@ def _edges(
     contrast = np.linalg.norm(skin - background, axis=1)
     rough = np.sqrt(((beside - background[:, None]) ** 2).sum(axis=2).mean(axis=1))
     share = np.einsum("kpc,kc->kp", profile - background[:, None], skin - background)
-    edges = _outermost_crossing(share / np.maximum(contrast, 1e-9)[:, None] ** 2)
+    share /= np.maximum(contrast, 1e-9)[:, None] ** 2
+    edges = _outermost_crossing(share, np.full(len(share), _LEVEL))
+    for _ in range(_ROUNDS):
+        edges = _outermost_crossing(share, _level_of_shaded(share, edges))
     sure = (contrast > _LEAST_CONTRAST) & (rough < _ROUGHEST * contrast)
     return edges, sure & (np.abs(edges) < _FARTHEST_PX)
 
 
-def _outermost_crossing(share: FloatArray) -> FloatArray:
-    """Find where, coming from outside, the share of skin first exceeds the level, px."""
-    inner = share.shape[1] - 1 - np.argmax(share[:, ::-1] > _LEVEL, axis=1)
+def _level_of_shaded(share: FloatArray, edges: FloatArray) -> FloatArray:
+    """Return the share of skin (k,) that a blurred picture shows at the edge of shaded skin.
+
+    Skin darkens towards its edge, about linearly over a few pixels: s(d) = s0 + s1 d, at a depth d.
+    Blurred, with nothing beyond, it is s0 / 2 + s1 σ / √(2π) at the edge.
+    """
+    depth = edges[:, None] - _ACROSS_PX
+    weights = ((depth >= -_SHADED_PX[1]) & (depth <= -_SHADED_PX[0])).astype(float)
+    total = np.maximum(weights.sum(axis=1), 1.0)
+    middle = (weights * depth).sum(axis=1) / total
+    mean = (weights * share).sum(axis=1) / total
+    away = weights * (depth - middle[:, None])
+    slope = (away * share).sum(axis=1) / np.maximum((away * depth).sum(axis=1), 1e-9)
+    slope = np.maximum(slope, 0.0)
+    at_edge = np.maximum(mean - slope * middle, _DARKEST)
+    return np.asarray(_HALF * at_edge + slope * _BLUR_PX / np.sqrt(2 * np.pi))
+
+
+def _outermost_crossing(share: FloatArray, level: FloatArray) -> FloatArray:
+    """Find where, coming from outside, the share of skin first exceeds a level, px."""
+    inner = share.shape[1] - 1 - np.argmax(share[:, ::-1] > level[:, None], axis=1)
     inner = np.minimum(inner, share.shape[1] - 2)
     row = np.arange(len(share))
     here, outside = share[row, inner], share[row, inner + 1]
-    part = np.clip((here - _LEVEL) / np.maximum(here - outside, 1e-9), 0, 1)
+    part = np.clip((here - level) / np.maximum(here - outside, 1e-9), 0, 1)
     return np.asarray(_ACROSS_PX[inner] + part * _STEP_PX)
 
 

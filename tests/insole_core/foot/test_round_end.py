@@ -13,7 +13,7 @@ from insole_core.geometry.mesh import ContourConstraints
 
 AHEAD = np.array([0.0, 1.0, 0.0])
 CENTRE, RADIUS = np.array([12.0, 231.0, 20.0]), 8.0
-USUAL = UsualEnd((18.0, 4.0), (9.0, 2.0), (9.0, 2.0))
+USUAL = UsualEnd((18.0, 4.0), (9.0, 2.0), (9.0, 2.0), (9.0, 2.0))
 NOTHING = Border(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
 
 
@@ -87,6 +87,22 @@ def test_a_raised_toe_is_as_long(raised_mm: float) -> None:
     pulp_mm = CENTRE[2] + raised_mm - 10.0
     tip = find_toe_end(Evidence(NOTHING, lifted), start, pulp_mm, 1.0)
     assert tip.point[1] == pytest.approx(CENTRE[1] + RADIUS, abs=0.4)
+
+
+def test_a_heel_that_is_round_below_and_nearly_straight_above_is_as_long() -> None:
+    """Outlines from a little above to far below its end; one radius for both put it 0.5 mm out."""
+    below_mm, above_mm, behind = 10.0, 45.0, -AHEAD
+    angles = np.radians(np.linspace(-25, 8, 23))
+    way = np.stack([0 * angles, -np.cos(angles), np.sin(angles)], axis=1)
+    radius = np.where(angles < 0, below_mm, above_mm)[:, None]
+    end = np.array([0.0, 12.0, 22.0])
+    points = end + radius * (way - [0.0, -1.0, 0.0])
+    usual = UsualEnd((22.0, 8.0), (32.0, 10.0), (30.0, 20.0), (50.0, 25.0))
+    seen = Evidence(NOTHING, ContourConstraints(points, way))
+    start = end + np.array([1.0, 2.0, 0.0])
+    found = fit_round_end(seen, behind, start, 14.0, usual)
+    assert -found.reach_mm == pytest.approx(end[1], abs=0.1)
+    assert found.height_mm == pytest.approx(end[2], abs=1.0)
 
 
 def test_a_whole_toe_reaches_as_far_as_its_surface_and_a_cut_one_is_continued() -> None:
