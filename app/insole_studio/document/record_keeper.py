@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 SAVE_AFTER_MS, RETRY_MS = 1000, 3000
-_WHOSE, _NEWEST = "record-whose-case", "record-newest"
+_WHOSE, _NEWEST, _ASKED = "record-whose-case", "record-newest", "record-newest-asked"
 Then = Callable[[], None]
 
 
@@ -158,20 +158,26 @@ class RecordKeeper(QObject):
         visit_id = self.visit_id
         self.leave(lambda: self.open_visit(visit_id, failed))
 
-    def look_for_newer(self) -> bool:
-        """Return at once whether the record holds a newer version of a foot that is open.
+    def when_newest(self, then: Then, outdated: Then) -> None:
+        """Call `then`, or `outdated` where the record holds a newer version of a foot that is open.
 
         What is still to be saved finds it by itself; so does all, once a silent record answers.
         """
         kept = self._case.kept
         is_settled = self.state in (KeepState.SAVED, KeepState.CHANGED) and not self._is_saving
         if kept is None or not is_settled or not self._clinic.is_open:
-            return False
-        try:
-            return self._clinic.ask_now(lambda records: _is_outdated(records, kept))
-        except InsoleError as error:
+            then()
+            return
+
+        def found(is_outdated: bool) -> None:
+            if self.visit_id == kept.visit.id:
+                (outdated if is_outdated else then)()
+
+        def failed(error: Exception) -> None:
             _note_failure(error)
-            return False
+            found(is_outdated=False)
+
+        self._clinic.ask(_ASKED, lambda records: _is_outdated(records, kept), found, failed)
 
     def leave(self, then: Then, otherwise: Then | None = None) -> None:
         """Save what is not in the record yet, and call `then`; at once if nothing is left to do.

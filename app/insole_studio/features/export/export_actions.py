@@ -237,17 +237,16 @@ class ExportActions(StageWindow["ExportStage"]):
         missing = self.responsible().missing or not self._case.record.patient.name
         return self.ask_responsible() if missing else True
 
-    def has_newest(self) -> bool:
-        """Return whether nothing newer is stored elsewhere; if it is, offer to open it.
+    def when_newest(self, then: Callable[[], None]) -> None:
+        """Go on where nothing newer is stored elsewhere; if it is, offer to open it.
 
         An order is of the newest version: an older one would be made, and another one be noted.
         """
-        keeper = self._services.keeper
-        if not keeper.look_for_newer():
-            return True
+        self._services.keeper.when_newest(then, self._offer_newer)
+
+    def _offer_newer(self) -> None:
         if self._questions.may_open_newer():
-            keeper.open_newer(self.tell)
-        return False
+            self._services.keeper.open_newer(self.tell)
 
     def ask_responsible(self) -> bool:
         """Let the user say who prescribes and makes, and for whom if that is missing."""
@@ -338,8 +337,9 @@ class ExportActions(StageWindow["ExportStage"]):
 
     def ask_print_outline(self) -> None:
         """Let the user choose a PDF file and print the outline into it."""
-        if not self.has_newest():
-            return
+        self.when_newest(self._ask_print_outline)
+
+    def _ask_print_outline(self) -> None:
         path = self._messages.questions.file_to_write(
             f"{foot_stem(self._case)}-{tr('outline')}.pdf", "PDF (*.pdf)", Kept.PAPERS
         )

@@ -107,8 +107,8 @@ class OrderAsker(MachineAsker, Protocol):
     def ask_missing(self) -> bool:
         """Ask for what a prescription lacks, if anything; False if cancelled."""
 
-    def has_newest(self) -> bool:
-        """Return whether nothing newer is stored elsewhere; if it is, offer to open it."""
+    def when_newest(self, then: Callable[[], None]) -> None:
+        """Go on where nothing newer is stored elsewhere; if it is, offer to open it."""
 
 
 class ExportPresenter:
@@ -410,8 +410,10 @@ class ExportPresenter:
     def ask_export(self) -> None:
         """Let the user choose a file, and export."""
         self._panel.read_day()
-        if self._refused_day or not self._asker.has_newest():
-            return
+        if not self._refused_day:
+            self._asker.when_newest(self._ask_export)
+
+    def _ask_export(self) -> None:
         order = self._order
         try:
             order.terms.check(date.today())

@@ -111,8 +111,8 @@ class Chosen:
     def ask_missing(self) -> bool:
         return True
 
-    def has_newest(self) -> bool:
-        return True
+    def when_newest(self, then: Callable[[], None]) -> None:
+        then()
 
     def tell(self, error: Exception) -> None:
         self.told.append(error)

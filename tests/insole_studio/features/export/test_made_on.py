@@ -76,8 +76,8 @@ class Asker:
     def ask_missing(self) -> bool:
         return True
 
-    def has_newest(self) -> bool:
-        return True
+    def when_newest(self, then: Callable[[], None]) -> None:
+        then()
 
     def tell(self, error: Exception) -> None:
         self.told.append(error)

@@ -188,10 +188,12 @@ def test_what_was_stored_elsewhere_is_offered_and_nothing_older_is_exported(
     qtbot.waitUntil(lambda: bool(stage.presenter.parts))
     keeper, questions = opened.services.keeper, opened.services.messages.questions
     assert isinstance(questions, CannedQuestions)
-    assert not keeper.look_for_newer()
+    went_on: list[bool] = []
+    keeper.when_newest(lambda: went_on.append(True), lambda: went_on.append(False))
+    qtbot.waitUntil(lambda: went_on == [True])
     change_elsewhere(other_station, visit, 9.0)
     stage.presenter.ask_export()
-    assert questions.asked == ["newer"]
+    qtbot.waitUntil(lambda: questions.asked == ["newer"])
     opened.services.clinic._look_for_changes()  # as it does every few seconds
     qtbot.waitUntil(lambda: bool(texts()))
     assert opened.case.record.design.thickness_mm == 6.0
@@ -199,7 +201,8 @@ def test_what_was_stored_elsewhere_is_offered_and_nothing_older_is_exported(
     stage.presenter.ask_export()
     qtbot.waitUntil(lambda: opened.case.record.design.thickness_mm == 9.0)
     assert texts() == []
-    assert not keeper.look_for_newer()
+    keeper.when_newest(lambda: went_on.append(True), lambda: went_on.append(False))
+    qtbot.waitUntil(lambda: went_on == [True, True])
     thicken(opened, 7.0)
     wait_until_saved(opened, qtbot)
     assert newest_mm(records, visit) == 7.0
