@@ -23,8 +23,7 @@ _INSIDE_PX, _OUTSIDE_PX = (-2.5, -1.0), 3.0
 """Range of positions where the skin's colour is sampled, close to the edge because the skin is
 shaded towards it, and position from which on the background is sampled."""
 _LEVEL = 0.37
-"""Share of skin at the edge, coming from outside: below a half, because the skin darkens towards
-the edge, so that a blurred picture shows the edge farther in."""
+"""Share of skin where the search for the edge begins, coming from outside."""
 _SHADED_PX = (-4.0, -1.5)
 """Range of positions, from the edge, that tell how the skin is shaded up to it."""
 _BLUR_PX = 0.8
@@ -33,8 +32,11 @@ _HALF = 0.42
 """What a blurred picture shows at an edge of even skin: less than a half, because the skin of a
 round foot darkens the more, the nearer its edge is."""
 _DARKEST = 0.15
-"""Least share of skin at an edge; the background's own noise is nearer to none."""
+"""Least share of skin at an edge."""
+_ABOVE_NOISE = 2.0
+"""How far the level lies above the background, in shares of its spread; noise would be the edge."""
 _ROUNDS = 3
+"""After which an edge and the shade up to it hardly move each other any more."""
 _LEAST_CONTRAST = 30.0
 _ROUGHEST = 0.25
 """Largest spread of the background, per contrast; beyond, the edge may be a different one."""
@@ -211,9 +213,10 @@ def _edges(
     rough = np.sqrt(((beside - background[:, None]) ** 2).sum(axis=2).mean(axis=1))
     share = np.einsum("kpc,kc->kp", profile - background[:, None], skin - background)
     share /= np.maximum(contrast, 1e-9)[:, None] ** 2
+    least = np.minimum(_ABOVE_NOISE * rough / np.maximum(contrast, 1e-9), _LEVEL)
     edges = _outermost_crossing(share, np.full(len(share), _LEVEL))
     for _ in range(_ROUNDS):
-        edges = _outermost_crossing(share, _level_of_shaded(share, edges))
+        edges = _outermost_crossing(share, np.maximum(_level_of_shaded(share, edges), least))
     sure = (contrast > _LEAST_CONTRAST) & (rough < _ROUGHEST * contrast)
     return edges, sure & (np.abs(edges) < _FARTHEST_PX)
 

@@ -154,6 +154,7 @@ class ExportView(QWidget):
         """
         for button in self._parts.buttons():
             self._parts.removeButton(button)
+            button.hide()  # it goes at the next turn, and must not stand beside the new ones
             button.deleteLater()
         for key, text in names.items() if len(names) > 1 else ():
             button = QToolButton()

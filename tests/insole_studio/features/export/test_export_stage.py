@@ -249,7 +249,11 @@ def test_of_one_foot_the_one_is_made_that_is_switched_to(
 
 
 def test_what_was_exported_is_told_until_the_order_changes(
-    stage: ExportStage, chosen: Chosen, settle: Callable[[], None], tmp_path: Path
+    stage: ExportStage,
+    chosen: Chosen,
+    settle: Callable[[], None],
+    tmp_path: Path,
+    qtbot: QtBot,
 ) -> None:
     """Also where the piece, which bears the number of its order, is made anew for the next one."""
     order(stage, relief="raised", numbered=True, pseudonym="P-7", job_sheet=False)
@@ -268,7 +272,11 @@ def test_what_was_exported_is_told_until_the_order_changes(
     stage.view.export.click()
     settle()
     assert stage.view.summary.text().startswith("Exported anna-")
-    (_left, right) = (b for b in stage.view.findChildren(QToolButton) if b.property("part"))
+    buttons = lambda: [  # noqa: E731
+        b for b in stage.view.findChildren(QToolButton) if b.property("part") and b.isVisible()
+    ]
+    qtbot.waitUntil(lambda: len(buttons()) == 2)
+    (_left, right) = buttons()
     right.click()
     assert "triangles" in stage.view.summary.text()
 
