@@ -6,12 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Final
 
+from insole_core.geometry.side import Side
 from insole_core.messages import Message
 from insole_core.records.marks import MEASURED_BY, SCANNED_HOW, SCANNED_WHEN
 from insole_core.records.record_field import Made
 
 NOT_RECORDED: Final = "not recorded"
 """Of the calibration of sensors, in sessions of before it was stored."""
+SIDE: Final = "side"
+"""In the report of a session: which foot it was taken as by hand."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +30,8 @@ class CaptureFacts:
     calibration_residuals
         By serial number of the sensor, step and unit: ``A00362A00127049A: camera, px``.
     report
-        Of the reconstruction, as `insole-studio reconstruct --report` writes it.
+        Of the reconstruction, as `insole-studio reconstruct --report` writes it; and ``side``,
+        where the session was taken as another foot than it was recorded as.
     """
 
     recorded_at: Annotated[str, Made("recording day", SCANNED_WHEN)] = ""
@@ -39,6 +43,12 @@ class CaptureFacts:
     report: Annotated[Mapping[str, Any], Made("report", SCANNED_HOW, stored="{}")] = field(
         default_factory=dict
     )
+
+    @property
+    def taken_as(self) -> Side | None:
+        """Which foot somebody said by hand that the session shows; None where nobody did."""
+        told = self.report.get(SIDE)
+        return next((side for side in Side if side == told), None)
 
     @property
     def residual_lines(self) -> list[Message]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final
 
 from insole_core.recording.reader import is_session, read_session
-from insole_core.records.capture import CaptureFacts
+from insole_core.records.capture import SIDE, CaptureFacts
 from insole_core.sensing.sensor import CalibrationRecord, Sensor
 
 _DISTORTION: Final = "distortion"
@@ -36,6 +36,7 @@ def capture_facts(path: Path) -> CaptureFacts:
             f"{serial}: {step.step.replace('_', ' ')}, {step.unit}": round(step.residual, 3)
             for serial, step in steps
         },
+        report={} if session.edits.side is None else {SIDE: session.edits.side.value},
     )
 
 

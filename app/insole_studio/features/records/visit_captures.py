@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from insole_core.cases.scan_source import ScanSource
+from insole_core.geometry.side import Side
 from insole_core.records.capture import Capture
 from insole_studio.services.app_services import AppServices
 from insole_studio.texts import moment_text, tr
@@ -32,8 +33,9 @@ class VisitCaptures(QObject):
         self._case = services.case
         self._clinic = services.clinic
         self._visit_id = ""
-        self._stored: set[str] | None = None
-        """SHA-256 of the scans that the visit has; None before the first answer."""
+        self._stored: dict[str, Side | None] | None = None
+        """SHA-256 of the scans that the visit has, each with the side that it was taken as by hand;
+        None before the first answer."""
         self._refused: dict[Path, str] = {}
         """What the record did not take for the open visit, each with its kind."""
         self._case.opened.connect(self._begin)
@@ -89,13 +91,15 @@ class VisitCaptures(QObject):
             return
         feet = self._case.record.feet
         here = {foot.source.sha256 for foot in feet}
-        is_first, before = self._stored is None, self._stored or set()
-        known = before | here
+        is_first, before = self._stored is None, self._stored or {}
+        known = before.keys() | here
         new = [c for c in captures if not known & {c.source_sha256, c.content_sha256}]
         # A copy that was opened from the record is known by its content.
-        self._stored = before | {
-            digest for c in captures for digest in (c.source_sha256, c.content_sha256)
-        }
+        self._stored = {
+            digest: c.facts.taken_as
+            for c in reversed(captures)  # the newest tells
+            for digest in (c.source_sha256, c.content_sha256)
+        } | before
         # Those that were there before are offered only where no foot was made yet.
         if new and not (is_first and feet):
             self._offer(new[0])
@@ -129,16 +133,19 @@ class VisitCaptures(QObject):
         for foot in self._case.record.feet:
             source = foot.source
             is_own = not source.scanned_on  # else an earlier visit has it
-            scan = _name_of(source)
-            if is_own and scan not in self._stored and _is_there(source):
-                self._stored |= {scan, source.sha256}
+            if is_own and not _has(self._stored, source) and _is_there(source):
+                self._stored[source.sha256] = _taken_as(source)
                 self.store(self._visit_id, Path(source.path), source.kind)
 
 
-def _name_of(source: ScanSource) -> str:
-    """Return what tells a scan; a session taken as the other foot is stored once more, as that."""
-    side = source.choice.side if source.kind == "session" else None
-    return source.sha256 if side is None else f"{source.sha256} {side}"
+def _has(stored: Mapping[str, Side | None], source: ScanSource) -> bool:
+    """Return whether a scan is stored; a session taken as the other foot is once more, as that."""
+    side = _taken_as(source)
+    return source.sha256 in stored and (side is None or stored[source.sha256] is side)
+
+
+def _taken_as(source: ScanSource) -> Side | None:
+    return source.choice.side if source.kind == "session" else None
 
 
 def _is_there(source: ScanSource) -> bool:

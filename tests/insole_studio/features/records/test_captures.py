@@ -14,7 +14,7 @@ from insole_core.cases.scan_source import ScanSource
 from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.given_file import sha256_of
-from insole_core.recording.hand_edits import HandEdits
+from insole_core.recording.hand_edits import HandEdits, ViewEdits
 from insole_core.recording.hand_edits_file import write_edits
 from insole_core.recording.reader import read_session
 from insole_core.records.person import Person
@@ -78,6 +78,7 @@ def test_a_capture_that_is_taken_as_the_other_foot_is_stored_as_that(
     make_foot: Callable[[Side], Foot],
     tmp_path: Path,
     qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     session = tmp_path / "session.zip"
     session.write_bytes(small_session.read_bytes())
@@ -94,6 +95,14 @@ def test_a_capture_that_is_taken_as_the_other_foot_is_stored_as_that(
         return read_session(records.captures.copy_to(capture, tmp_path)).manifest.one_side
 
     qtbot.waitUntil(lambda: side() is Side.RIGHT)
+    # Opened another time, with its markers corrected: the record has it as that foot already.
+    write_edits(HandEdits({"left": ViewEdits(off=True)}, side=Side.RIGHT), session)
+    again: list[Path] = []
+    monkeypatch.setattr(captures, "store", lambda _visit, path, _kind: again.append(path))
+    captures._stored = None
+    captures._look()
+    qtbot.waitUntil(lambda: captures._stored is not None)
+    assert again == []
 
 
 def test_the_foot_of_a_capture_stores_it_only_once(
