@@ -44,7 +44,7 @@ def read_day(key: str, text: str, today: date) -> str:
     except AmbiguousDate as error:
         raise _two_readings(**error.message.values) from error
     if others:
-        raise _two_readings(text=text, first=day.isoformat(), second=others[0].isoformat())
+        raise _several_readings(text, short)
     latest = today if key == "born" else today + LATEST_AHEAD
     if not EARLIEST <= day <= latest:
         raise InputError(
@@ -64,8 +64,11 @@ def _short_readings(text: str, today: date) -> list[date]:
     match = _SHORT.fullmatch(text)
     if match is None:
         return []
-    first, _, second, third = map(str, match.groups())
-    orders = (first, second, third), (third, second, first), (third, first, second)
+    first, mark, second, third = map(str, match.groups())
+    day_first = third, second, first  # with dots everywhere, as `read_date` has it
+    orders = (
+        (day_first,) if mark == "." else ((first, second, third), day_first, (third, first, second))
+    )
     centuries = range(today.year // 100, EARLIEST.year // 100 - 1, -1)
     found: dict[date, None] = {}
     for (year, month, day), century in product(orders, centuries):
@@ -76,6 +79,15 @@ def _short_readings(text: str, today: date) -> list[date]:
         if EARLIEST <= born <= today:
             found[born] = None
     return list(found)
+
+
+def _several_readings(text: str, readings: list[date]) -> InputError:
+    days = [day.isoformat() for day in readings]
+    if len(days) == 2:
+        return _two_readings(text=text, first=days[0], second=days[1])
+    return InputError(
+        "{text} can be {days}; write the one that is meant.", text=text, days=joined(days)
+    )
 
 
 def _two_readings(**values: Value) -> InputError:

@@ -10524,6 +10524,10 @@
             <translation>{surface_mm:.0f} mm av den skannade, utan tår</translation>
         </message>
         <message>
+            <source>{text} can be {days}; write the one that is meant.</source>
+            <translation>{text} kan vara {days}; skriv den som avses.</translation>
+        </message>
+        <message>
             <source>{text} can be {first} or {second}; say whether day or month comes first.</source>
             <translation>{text} kan vara {first} eller {second}; ange om dag eller månad kommer först.</translation>
         </message>

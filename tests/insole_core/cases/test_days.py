@@ -33,6 +33,7 @@ TODAY = date(2026, 11, 22)
         ("700228", "1970-02-28"),
         ("70-02-28", "1970-02-28"),
         ("28.02.70", "1970-02-28"),
+        ("03.04.70", "1970-04-03"),
         ("320101", "1932-01-01"),
         ("000229", "2000-02-29"),
         ("990101", "1999-01-01"),
@@ -56,23 +57,26 @@ def test_a_day_of_two_readings_is_asked_for():
 
 
 @pytest.mark.parametrize(
-    ("typed", "first", "second"),
+    ("typed", "days"),
     [
-        ("130228", "2013-02-28", "1913-02-28"),  # a child, or somebody of over a hundred years
-        ("300612", "1930-06-12", "2012-06-30"),  # as other countries write it
-        ("03-04-70", "1970-04-03", "1970-03-04"),
-        ("261122", "2026-11-22", "1926-11-22"),  # born today
-        ("261123", "1926-11-23", "2023-11-26"),
+        # a child, or somebody of over a hundred years; also as other countries write it
+        ("130228", "2013-02-28, 1913-02-28, 1928-02-13"),
+        ("300612", "1930-06-12, 2012-06-30, 1912-06-30"),
+        ("03-04-70", "1970-04-03 or 1970-03-04"),
+        ("12.03.15", "2015-03-12 or 1915-03-12"),  # the day is first where there are dots
+        ("261122", "2026-11-22, 1926-11-22, 2022-11-26, 1922-11-26"),  # born today
+        ("261123", "1926-11-23, 2023-11-26, 1923-11-26"),
+        ("03-04-05", "2003-04-05, 1903-04-05, 2005-04-03, 1905-04-03, 2005-03-04, 1905-03-04"),
     ],
 )
-def test_a_year_of_two_digits_is_asked_for_where_two_days_are_possible(
-    typed: str, first: str, second: str
+def test_a_year_of_two_digits_is_asked_for_where_several_days_are_possible(
+    typed: str, days: str
 ) -> None:
-    with pytest.raises(InputError, match=f"{typed} can be {first} or {second}; write the one"):
+    with pytest.raises(InputError, match=f"{typed} can be {days}; write the one"):
         read_day("born", typed, TODAY)
 
 
-@pytest.mark.parametrize("typed", ["702830", "70022", "7002281", "70-0228"])
+@pytest.mark.parametrize("typed", ["70.02.28", "702830", "70022", "7002281", "70-0228"])
 def test_two_digits_of_a_year_and_no_day_of_the_calendar_are_no_birth_date(typed: str) -> None:
     with pytest.raises(InputError, match=r"is no date; write .* such as 1970-02-28"):
         read_day("born", typed, TODAY)
