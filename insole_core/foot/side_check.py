@@ -14,7 +14,7 @@ _LEAST_SOLE_MM2 = 5000.0
 _GROUND_FACING = -0.5
 
 
-def side_doubt(mesh: TriangleMesh, side: Side) -> str:
+def side_doubt(mesh: TriangleMesh, side: Side, *, is_by_hand: bool = False) -> str:
     """Return a warning when the shape is not that of the recorded foot.
 
     Parameters
@@ -22,6 +22,8 @@ def side_doubt(mesh: TriangleMesh, side: Side) -> str:
     mesh : mm, reference frame
     side
         As the session says.
+    is_by_hand
+        Whether its corrections say so, and no longer its manifest.
 
     Returns
     -------
@@ -39,10 +41,10 @@ def side_doubt(mesh: TriangleMesh, side: Side) -> str:
     if dissimilarity[side] > CLEAR * dissimilarity[side.other]:
         return Message(
             "The session says that it is a {side} foot, but the shape looks like a "
-            '{shape_side} one; ask which foot it is, and correct "side" in manifest.json '
-            "if need be.",
+            '{shape_side} one; ask which foot it is, and correct "side" in {file} if need be.',
             side=side,
             shape_side=side.other,
+            file="marker_edits.json" if is_by_hand else "manifest.json",
         )
     return ""
 

@@ -263,6 +263,8 @@ def _hand_corrections(session: Session, results: list[ViewResult]) -> list[str]:
     ]
     if edits.volume_of_interest is not None:
         found.append("The volume of interest was set by hand.")
+    if edits.side is not None:
+        found.append(Message("It was set by hand that it is a {side} foot.", side=edits.side))
     return found
 
 

@@ -93,7 +93,8 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
             method=arguments.method, corrected=corrected, depth=arguments.depth,
         )  # fmt: skip
         progress.step(0.9, "Writing the foot")
-        feet = tuple(_with_side_doubt(foot) for foot in feet)
+        is_by_hand = opened.edits.side is not None
+        feet = tuple(_with_side_doubt(foot, is_by_hand) for foot in feet)
         for foot, file in zip(feet, files, strict=True):
             write_ply(foot.result.mesh, file)
         _print_warnings(feet)
@@ -105,10 +106,10 @@ def run(arguments: argparse.Namespace, progress: Progress) -> None:
     progress.step(1.0, f"Done: {' '.join(map(str, paths))}")
 
 
-def _with_side_doubt(foot: ReconstructedFoot) -> ReconstructedFoot:
+def _with_side_doubt(foot: ReconstructedFoot, is_by_hand: bool) -> ReconstructedFoot:
     from insole_core.foot.side_check import side_doubt
 
-    doubt = side_doubt(foot.result.mesh, foot.side)
+    doubt = side_doubt(foot.result.mesh, foot.side, is_by_hand=is_by_hand)
     warnings = (*foot.result.warnings, *filter(None, [doubt]))
     return replace(foot, result=replace(foot.result, warnings=warnings))
 

@@ -1652,6 +1652,10 @@
             <translation>Den delar USB-styrenhet {bus} med en annan sensor, så de två turas om; anslut den ena till en egen styrenhet för att avbilda med båda samtidigt.</translation>
         </message>
         <message>
+            <source>It was set by hand that it is a {side} foot.</source>
+            <translation>Det sattes för hand att det är en {side} fot.</translation>
+        </message>
+        <message>
             <source>Its motor does not run, because its audio firmware is not loaded; tilt it by hand.</source>
             <translation>Dess motor går inte, eftersom ljuddelens fasta program inte är laddat; luta den för hand.</translation>
         </message>
@@ -4164,8 +4168,8 @@
             <translation>Sessionen är läst</translation>
         </message>
         <message>
-            <source>The session says that it is a {side} foot, but the shape looks like a {shape_side} one; ask which foot it is, and correct "side" in manifest.json if need be.</source>
-            <translation>Sessionen säger att det är en {side} fot, men formen ser ut som en {shape_side}; fråga vilken fot det är, och rätta ”side” i manifest.json vid behov.</translation>
+            <source>The session says that it is a {side} foot, but the shape looks like a {shape_side} one; ask which foot it is, and correct "side" in {file} if need be.</source>
+            <translation>Sessionen säger att det är en {side} fot, men formen ser ut som en {shape_side}; fråga vilken fot det är, och rätta ”side” i {file} vid behov.</translation>
         </message>
         <message>
             <source>The settings in {path} are damaged, so it is not known where the record is; start the window once to mend them, or name the record.</source>

@@ -148,7 +148,11 @@ def test_a_reference_system_moved_between_two_views(session: Session) -> None:
 
 def test_the_wrong_foot_declared(fused: Reconstruction) -> None:
     assert side_doubt(fused.mesh, Side.LEFT) == ""
-    assert "looks like a left one" in side_doubt(fused.mesh, Side.RIGHT)
+    doubt = side_doubt(fused.mesh, Side.RIGHT)
+    assert "looks like a left one" in doubt
+    assert 'correct "side" in manifest.json' in doubt
+    by_hand = side_doubt(fused.mesh, Side.RIGHT, is_by_hand=True)
+    assert 'correct "side" in marker_edits.json' in by_hand
 
 
 def test_something_that_is_no_foot() -> None:

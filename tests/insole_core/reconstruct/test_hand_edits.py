@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from insole_core.errors import ReconstructionError
+from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import inverse, rotation_angle_deg, transform
 from insole_core.reconstruct import MarkerObservation, reconstruct
 from insole_core.reconstruct.markers.marker_observation import Registration
@@ -184,7 +185,7 @@ def test_the_thesis_heeds_the_hand_as_well(session: Session) -> None:
 
 
 def test_the_foot_and_its_warnings_heed_the_hand(session: Session, left: MeasuredView) -> None:
-    edits = HandEdits().with_view("left", NOTHING.with_excluded("S3"))
+    edits = HandEdits(side=Side.RIGHT).with_view("left", NOTHING.with_excluded("S3"))
     edits = edits.with_view("right", ViewEdits(off=True))
     asked: list[str] = []
 
@@ -197,6 +198,7 @@ def test_the_foot_and_its_warnings_heed_the_hand(session: Session, left: Measure
     assert [view.used for view in result.views] == [True, False, True]
     assert result.warnings[0] == "The view right is left out: it was switched off by hand."
     assert "The markers of the view left were corrected by hand: S3 excluded." in result.warnings
+    assert "It was set by hand that it is a right foot." in result.warnings
 
 
 def test_a_volume_set_by_hand_bounds_the_foot(session: Session) -> None:
