@@ -11,7 +11,14 @@ import numpy as np
 from insole_core.errors import InputError, InsoleError
 from insole_core.foot.clicked_pose import clicked_frames
 from insole_core.foot.foot import Foot
-from insole_core.foot.foot_candidate import CLEAR, NO_FOOT, FootCandidate, FoundFoot, PoseClicks
+from insole_core.foot.foot_candidate import (
+    CLEAR,
+    CLEAR_WITHOUT_TOES,
+    NO_FOOT,
+    FootCandidate,
+    FoundFoot,
+    PoseClicks,
+)
 from insole_core.foot.foot_doubts import HELD_DEG, differ, foot_doubts
 from insole_core.foot.foot_proportions import check_length, check_proportions, proportions
 from insole_core.foot.front_height import rated_pose
@@ -302,16 +309,14 @@ def _shows_other_side(foot: Foot) -> bool:
     # One that was turned by hand with its toes back looks like the other foot until it is mended.
     if ahead[other] > NO_FOOT or min(ahead[foot.side], back[foot.side]) <= ahead[other]:
         return False  # as nearly always
-    if ratio > CLEAR:
+    if ratio > CLEAR_WITHOUT_TOES:
         return True
     poses = _as_it_lies(points, np.eye(4))
     try:
-        own, opposite = (
-            _best(foot.even, points, poses, side).dissimilarity for side in (foot.side, other)
-        )
+        own, opposite = (_best(foot.even, points, poses, side) for side in (foot.side, other))
     except InputError:  # nothing faces the ground: it was turned so
         return False
-    return own > CLEAR * opposite
+    return own.dissimilarity > opposite.clear * opposite.dissimilarity
 
 
 def _held_foot(mesh: TriangleMesh) -> FoundFoot:

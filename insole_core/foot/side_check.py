@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
-from insole_core.foot.foot_candidate import CLEAR, NO_FOOT
+from insole_core.errors import InputError
+from insole_core.foot.foot_candidate import CLEAR, CLEAR_WITHOUT_TOES, NO_FOOT
+from insole_core.foot.levelling import level
 from insole_core.foot.pose import poses_as_it_lies, surface_points
 from insole_core.geometry.mesh import TriangleMesh
+from insole_core.geometry.sampling import EvenSurface
 from insole_core.geometry.side import Side
 from insole_core.messages import Message
 
@@ -38,7 +43,7 @@ def side_doubt(mesh: TriangleMesh, side: Side, *, is_by_hand: bool = False) -> s
             "What was measured in the volume of interest does not look like a foot; see that a "
             "foot was in place, and that the volume holds nothing else."
         )
-    if dissimilarity[side] > CLEAR * dissimilarity[side.other]:
+    if _tells(mesh, dissimilarity, side.other):
         return Message(
             "The session says that it is a {side} foot, but the shape looks like a "
             '{shape_side} one; ask which foot it is, and correct "side" in {file} if need be.',
@@ -59,9 +64,20 @@ def seen_side(mesh: TriangleMesh) -> Side | None:
     dissimilarity = _dissimilarity(mesh)
     if not dissimilarity or min(dissimilarity.values()) > NO_FOOT:
         return None
-    return next(
-        (side for side in Side if dissimilarity[side.other] > CLEAR * dissimilarity[side]), None
-    )
+    return next((side for side in Side if _tells(mesh, dissimilarity, side)), None)
+
+
+def _tells(mesh: TriangleMesh, dissimilarity: Mapping[Side, float], side: Side) -> bool:
+    """Return whether the shape is clearly that of a side; without toes it must be so by far."""
+    ratio = dissimilarity[side.other] / dissimilarity[side]
+    return ratio > CLEAR_WITHOUT_TOES or (ratio > CLEAR and _shows_toes(mesh, side))
+
+
+def _shows_toes(mesh: TriangleMesh, side: Side) -> bool:
+    try:
+        return level(EvenSurface.of(mesh), side, np.eye(4)).second_toe_found
+    except InputError:
+        return False
 
 
 def _dissimilarity(mesh: TriangleMesh) -> dict[Side, float]:

@@ -13,8 +13,14 @@ from benchmarks._random_designs import random_foot
 from insole_core.errors import InputError
 from insole_core.foot.foot import Foot
 from insole_core.foot.foot_candidate import PoseClicks
-from insole_core.foot.foot_placement import find_foot, place_foot, placed_foot
+from insole_core.foot.foot_placement import (
+    find_foot,
+    is_of_other_side,
+    place_foot,
+    placed_foot,
+)
 from insole_core.foot.foot_proportions import ProportionsError
+from insole_core.foot.side_check import seen_side, side_doubt
 from insole_core.geometry.mesh import TriangleMesh
 from insole_core.geometry.side import Side
 from insole_core.geometry.transforms import rigid, rotation_angle_deg, transform
@@ -167,13 +173,18 @@ def test_a_stump_without_single_toes_is_of_no_side_and_shows_no_big_toe(
     x, y, _ = foot.mesh.vertices.T
     across = np.clip(x * foot.side.medial_sign / 50, -1, 1)
     front = ((medial + lateral) / 2 + (medial - lateral) / 2 * across) * foot.length_mm
-    found = find_foot(thrown(foot.mesh.part(y < front), 5)[0])
+    stump = foot.mesh.part(y < front)
+    assert seen_side(stump) is None
+    assert all(side_doubt(stump, side) == "" for side in Side)
+    found = find_foot(thrown(stump, 5)[0])
     assert found.told_side is None
     assert any("does not tell left from right" in doubt for doubt in found.doubts)
     for side in Side:
         candidate = found.best(side)
         assert candidate is not None
-        notes = placed_foot(found, candidate).notes
+        placed = placed_foot(found, candidate)
+        assert not is_of_other_side(placed)
+        notes = placed.notes
         assert any("does not tell left from right" in note for note in notes)
         assert not any("big toe" in note for note in notes)
 
