@@ -66,3 +66,20 @@ def test_shade_does_not_move_the_outline(at_edge: float, over_px: float, traced_
     assert len(away_px) > 600
     assert np.median(away_px) == pytest.approx(0.1, abs=0.15)
     assert np.abs(away_px).max() < 0.5
+
+
+def test_noise_of_a_dark_background_is_not_taken_for_an_edge() -> None:
+    view = shown(0.1, 8.0)
+    camera = view.sensor.color_camera
+    noise = np.random.default_rng(1).normal(0, 5, view.color.shape)
+    noisy = replace(view, color=np.clip(view.color + noise, 0, 255).astype(np.uint8))
+    across, down = np.meshgrid(
+        np.arange(camera.width) - MIDDLE[0], np.arange(camera.height) - MIDDLE[1]
+    )
+    outside = (np.hypot(across, down) - RADIUS_PX).astype(np.float32)
+    contour = find_occluding_contour(noisy, Silhouette((0, 0), outside, outside > 3))
+
+    assert contour is not None
+    away_px = np.hypot(*(contour.pixels - MIDDLE).T) - RADIUS_PX
+    assert len(away_px) > 670, "none is left out"
+    assert np.quantile(away_px, [0.01, 0.99]) == pytest.approx([0.0, 0.0], abs=0.6)
