@@ -374,9 +374,10 @@ class BackupWriter:
         listed = sealed(ObjectList(frozenset(self._used), lost).as_json(), self._key.mac_key)
         self._write_at(self._folder.path / LISTS / name.list_name, listed)
         self._write_at(self._folder.path / SNAPSHOTS / name.file_name, content)
-        unfinished = self._folder.path / UNFINISHED
-        with output_errors(unfinished):
-            unfinished.unlink(missing_ok=True)
+        try:
+            (self._folder.path / UNFINISHED).unlink(missing_ok=True)
+        except OSError as error:  # a folder may let nothing be removed; the snapshot is there
+            log.warning("%s stays: %s", UNFINISHED, error.strerror)
         return name
 
     def _write_at(self, path: Path, content: bytes) -> None:
