@@ -140,9 +140,17 @@ class RecordKeeper(QObject):
         return "" if self._case.kept is None else self._case.kept.visit.id
 
     def open_visit(self, visit_id: str, failed: Callable[[Exception], None]) -> None:
-        """Open a visit as the case of the window, after the case before has been left."""
+        """Open a visit as the case of the window, after the case before has been left.
+
+        What was changed in that one while the record was read is saved, or decided on, first.
+        """
+        left = self._case.record
 
         def opened(found: OpenedCase) -> None:
+            self._case.leaving.emit()  # what is being typed is a change, too
+            if self.is_keeping and not self._case.record.holds_the_same(left):
+                self.leave(lambda: self.open_visit(visit_id, failed))
+                return
             kept = KeptVisit(found.person, found.visit, dict(found.bases))
             self._case.open(found.record, None, kept=kept)
 

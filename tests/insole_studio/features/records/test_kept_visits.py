@@ -209,6 +209,18 @@ def test_what_was_stored_elsewhere_is_offered_and_nothing_older_is_exported(
     assert texts() == []
 
 
+def test_what_is_changed_while_the_newer_version_is_read_is_decided_on(
+    opened: Application, other_station: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    change_elsewhere(other_station, visit, 7.0)
+    opened.services.keeper.open_newer(opened.services.messages.show_error)
+    thicken(opened, 5.0)
+    assert_told(conflict_dialog(opened, qtbot))
+    design = opened.case.record.design
+    assert design is not None
+    assert design.thickness_mm == 5.0
+
+
 def assert_told(dialog: ConflictDialog) -> None:
     texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
     assert "Dr. Dal, capture-room" in texts
