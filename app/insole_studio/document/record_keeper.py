@@ -110,6 +110,8 @@ class RecordKeeper(QObject):
         self._patient_conflict: PatientConflict | None = None
         self._then: Then | None = None
         self._otherwise: Then | None = None
+        self._to_export: tuple[Then, Then] | None = None
+        """What `when_newest` was given, until the case is saved."""
         self._reason = ""
         self._is_to_move = False
         """Whether it is to be kept as a new visit once what is being saved is refused."""
@@ -138,6 +140,10 @@ class RecordKeeper(QObject):
     def visit_id(self) -> str:
         """The visit that is open; empty for a case of a file."""
         return "" if self._case.kept is None else self._case.kept.visit.id
+
+    @property
+    def _has_to_save(self) -> bool:
+        return self._case.has_unsaved_changes or self._is_saving
 
     def open_visit(self, visit_id: str, failed: Callable[[Exception], None]) -> None:
         """Open a visit as the case of the window, after the case before has been left.
@@ -169,16 +175,28 @@ class RecordKeeper(QObject):
     def when_newest(self, then: Then, outdated: Then) -> None:
         """Call `then`, or `outdated` where the record holds a newer version of a foot that is open.
 
-        What is still to be saved finds it by itself; so does all, once a silent record answers.
+        What is not stored yet is saved before. Where that meets a conflict, it is decided on, and
+        neither is called; a record that is silent or takes nothing keeps nobody from going on.
         """
         kept = self._case.kept
-        is_settled = self.state in (KeepState.SAVED, KeepState.CHANGED) and not self._is_saving
-        if kept is None or not is_settled or not self._clinic.is_open:
+        if self.state is KeepState.CONFLICT:
+            self.conflicted.emit()
+            return
+        if kept is None or not self._clinic.is_open:
             then()
+            return
+        if self._has_to_save:
+            self._to_export = (then, outdated)
+            self._save()
             return
 
         def found(is_outdated: bool) -> None:
-            if self.visit_id == kept.visit.id:
+            now = self._case.kept
+            if now is None or now.visit.id != kept.visit.id:
+                return
+            if now.bases != kept.bases or self._has_to_save:
+                self.when_newest(then, outdated)
+            else:
                 (outdated if is_outdated else then)()
 
         def failed(error: Exception) -> None:
@@ -202,7 +220,7 @@ class RecordKeeper(QObject):
             self.conflicted.emit()
             if otherwise is not None:
                 otherwise()
-        elif self.is_keeping and (self._case.has_unsaved_changes or self._is_saving):
+        elif self.is_keeping and self._has_to_save:
             self._then, self._otherwise = then, otherwise
             self._save()
         else:
@@ -321,6 +339,7 @@ class RecordKeeper(QObject):
     def _begin(self) -> None:
         self._timer.stop()
         self._is_to_move = False
+        self._to_export = None
         self._reason, self._told = "", ""
         self._conflict = self._patient_conflict = None
         is_changed = self._case.has_unsaved_changes
@@ -346,6 +365,7 @@ class RecordKeeper(QObject):
         """Save when the record is open again; what was being saved as it closed has no answer."""
         if self._clinic.state is RecordState.CLOSED:
             self._is_saving = False
+            self._to_export = None
         # Refused, as to who was not signed in.
         unsaved = (KeepState.CHANGED, KeepState.WAITING, KeepState.REFUSED)
         if self._clinic.state is RecordState.OPEN and self.state in unsaved:
@@ -475,6 +495,7 @@ class RecordKeeper(QObject):
         if change.conflicts or change.collided:
             self._conflict = next(iter(change.conflicts.values()), None)
             self._patient_conflict = _patient_conflict(record.patient, change)
+            self._to_export = None
             self._set_state(KeepState.CONFLICT)
             self.conflicted.emit()
             self._stay()
@@ -482,15 +503,20 @@ class RecordKeeper(QObject):
             self._fail(change.trouble)
         elif self._case.has_unsaved_changes or self._reason:
             self._set_state(KeepState.CHANGED)
-            self._timer.start(0 if self._then is not None else SAVE_AFTER_MS)
+            is_awaited = self._then is not None or self._to_export is not None
+            self._timer.start(0 if is_awaited else SAVE_AFTER_MS)
         else:
             self._told = ""
             self._set_state(KeepState.SAVED)
             self._go_on()
+            if self._to_export is not None:
+                (then, outdated), self._to_export = self._to_export, None
+                self.when_newest(then, outdated)
 
     def _fail(self, error: Exception) -> None:
         self._is_saving = False
         if not isinstance(error, InsoleError):
+            self._to_export = None
             self._stay()
             raise error
         self.trouble = str(error)
@@ -499,6 +525,7 @@ class RecordKeeper(QObject):
             self._set_state(KeepState.WAITING)
             self._timer.start(RETRY_MS)
             self._leave_unsaved()
+            self._export_unsaved()
         elif isinstance(error, PersonErased):
             self._close_erased()
         elif isinstance(error, RecordsError) and self._case.kept is not None:
@@ -569,11 +596,19 @@ class RecordKeeper(QObject):
         is_new = self._told != str(error)
         self._told = str(error)
         self._set_state(KeepState.REFUSED)
-        if is_lost and is_new:
+        if is_lost and (is_new or self._to_export is not None):
+            self._to_export = None  # nothing is written for a visit that is gone
             self.lost.emit()
         if self._then is not None or (is_new and not is_lost):
             self.failed.emit(error)
         self._stay()
+        self._export_unsaved()
+
+    def _export_unsaved(self) -> None:
+        """Go on with what waited for the saving, although nothing was saved."""
+        if self._to_export is not None:
+            (then, _outdated), self._to_export = self._to_export, None
+            then()
 
     def _leave_unsaved(self) -> None:
         """Leave the case for another one, once its journal is safe."""

@@ -221,6 +221,41 @@ def test_what_is_changed_while_the_newer_version_is_read_is_decided_on(
     assert design.thickness_mm == 5.0
 
 
+def test_an_export_waits_for_the_saving_and_for_a_decision_on_a_conflict(
+    opened: Application,
+    other_station: Records,
+    records: Records,
+    visit: Visit,
+    away: Callable[[bool], None],
+    qtbot: QtBot,
+) -> None:
+    keeper, went_on = opened.services.keeper, list[float]()
+
+    def ask() -> None:
+        keeper.when_newest(lambda: went_on.append(newest_mm(records, visit)), pytest.fail)
+
+    thicken(opened, 4.0)
+    ask()
+    keeper._save()
+    thicken(opened, 4.5)
+    ask()
+    qtbot.waitUntil(lambda: went_on == [4.5])
+    away(True)
+    thicken(opened, 5.0)
+    ask()
+    qtbot.waitUntil(lambda: went_on == [4.5, 4.5])  # nothing waits for a silent record
+    away(False)
+    wait_until_saved(opened, qtbot)
+    change_elsewhere(other_station, visit, 7.0)
+    thicken(opened, 6.0)
+    ask()
+    conflict_dialog(opened, qtbot).reject()
+    assert keeper.state is KeepState.CONFLICT
+    with qtbot.waitSignal(keeper.conflicted):
+        ask()
+    assert went_on == [4.5, 4.5]
+
+
 def assert_told(dialog: ConflictDialog) -> None:
     texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
     assert "Dr. Dal, capture-room" in texts
@@ -536,6 +571,8 @@ def test_work_on_a_visit_that_was_deleted_elsewhere_is_kept_as_a_new_visit(
     lost: Application, records: Records, other_station: Records, qtbot: QtBot
 ) -> None:
     assert lost_notice(lost) == [("Keep as a new visit", "Save as a file…")]
+    with qtbot.waitSignal(lost.services.keeper.lost):  # told again to whoever exports
+        lost.services.keeper.when_newest(pytest.fail, pytest.fail)
     assert not lost.services.messages.dialogs
     kept = lost.case.kept
     assert kept is not None
