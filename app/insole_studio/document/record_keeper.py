@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from insole_core.cases.case_record import CaseRecord, FootRecord, Patient
 from insole_core.errors import Conflict, InsoleError, PersonErased, RecordsError, Unreachable
+from insole_core.geometry.side import Side
 from insole_core.records.person import Person, new_id
 from insole_core.workflows.foot_landmarks import with_landmarks
 from insole_studio.document.autosave import Autosave
@@ -31,6 +32,8 @@ log = logging.getLogger(__name__)
 SAVE_AFTER_MS, RETRY_MS = 1000, 3000
 _WHOSE, _NEWEST, _ASKED = "record-whose-case", "record-newest", "record-newest-asked"
 Then = Callable[[], None]
+_Stored = dict[Side, tuple[str, int]]
+"""Id and revision of the newest version of each foot."""
 
 
 class KeepState(Enum):
@@ -190,20 +193,23 @@ class RecordKeeper(QObject):
             self._save()
             return
 
-        def found(is_outdated: bool) -> None:
+        def found(stored: _Stored | None) -> None:
             now = self._case.kept
             if now is None or now.visit.id != kept.visit.id:
                 return
             if now.bases != kept.bases or self._has_to_save:
                 self.when_newest(then, outdated)
+            elif stored is None:
+                self._told = ""  # whoever exports is told again
+                self._refuse_unless_erased(kept, _lost())
             else:
-                (outdated if is_outdated else then)()
+                (outdated if _is_newer(stored, now) else then)()
 
         def failed(error: Exception) -> None:
             _note_failure(error)
-            found(is_outdated=False)
+            found({side: _version_of(base) for side, base in kept.bases.items()})
 
-        self._clinic.ask(_ASKED, lambda records: _is_outdated(records, kept), found, failed)
+        self._clinic.ask(_ASKED, lambda records: _stored(records, kept), found, failed)
 
     def leave(self, then: Then, otherwise: Then | None = None) -> None:
         """Save what is not in the record yet, and call `then`; at once if nothing is left to do.
@@ -399,16 +405,16 @@ class RecordKeeper(QObject):
         if kept is None:
             return
 
-        def found(is_outdated: bool) -> None:
+        def found(stored: _Stored | None) -> None:
             now = self._case.kept
             if now is None or now.visit.id != kept.visit.id or self._is_saving:
                 return  # saving finds it by itself
             if now.bases != kept.bases:
                 self._look_for_newer()
-            elif is_outdated and self.state is KeepState.SAVED:
+            elif stored and _is_newer(stored, now) and self.state is KeepState.SAVED:
                 self.outdated.emit()
 
-        self._clinic.ask(_NEWEST, lambda records: _is_outdated(records, kept), found, _note_failure)
+        self._clinic.ask(_NEWEST, lambda records: _stored(records, kept), found, _note_failure)
 
     def _note_person(self, visit_id: str, person: Person) -> None:
         if self.visit_id != visit_id:
@@ -587,12 +593,8 @@ class RecordKeeper(QObject):
             return
         self._is_to_move = False
         if is_lost:  # in place of what the record says: whoever opens the person leaves the work
-            sentence = tr(
-                "This visit was deleted elsewhere: keep what you have made as a new visit, or save "
-                "it as a file."
-            )
-            error = RecordsError(sentence)
-            self.trouble = sentence
+            error = _lost()
+            self.trouble = str(error)
         is_new = self._told != str(error)
         self._told = str(error)
         self._set_state(KeepState.REFUSED)
@@ -650,15 +652,30 @@ def _whose(records: Records, kept: KeptVisit) -> tuple[Person, bool]:
     return records.persons.get(person_id), is_there
 
 
-def _is_outdated(records: Records, kept: KeptVisit) -> bool:
-    """Return whether a foot has a newer version than the one that the work is based on."""
-    newest = (version.summary for version in records.prescriptions.newest(kept.visit.id))
-    stored = {version.side: (version.id, version.revision) for version in newest}
-    return any(
-        stored.get(side, read) != read
-        for side, base in kept.bases.items()
-        for read in ((base.version_id, base.revision),)
+def _stored(records: Records, kept: KeptVisit) -> _Stored | None:
+    """Return the newest version of each foot of a visit; None where the visit is gone."""
+    newest = [version.summary for version in records.prescriptions.newest(kept.visit.id)]
+    if not newest and not _whose(records, kept)[1]:
+        return None
+    return {version.side: (version.id, version.revision) for version in newest}
+
+
+def _version_of(base: Base) -> tuple[str, int]:
+    return base.version_id, base.revision
+
+
+def _is_newer(stored: _Stored, kept: KeptVisit) -> bool:
+    """Return whether a foot was stored or added after what the work is based on."""
+    read = {side: _version_of(base) for side, base in kept.bases.items()}
+    return any(read.get(side) != version for side, version in stored.items())
+
+
+def _lost() -> RecordsError:
+    sentence = tr(
+        "This visit was deleted elsewhere: keep what you have made as a new visit, or save it as a "
+        "file."
     )
+    return RecordsError(sentence)
 
 
 def _note_failure(error: Exception) -> None:

@@ -256,6 +256,38 @@ def test_an_export_waits_for_the_saving_and_for_a_decision_on_a_conflict(
     assert went_on == [4.5, 4.5]
 
 
+def newer_notices(app: Application) -> list[str]:
+    return [n.text for n in app.services.notices.notices if n.key == "record-outdated"]
+
+
+def look_for_newer(app: Application, qtbot: QtBot) -> None:
+    """Look for what was stored elsewhere, as the window does every few seconds."""
+    app.services.clinic._look_for_changes()
+    qtbot.waitUntil(lambda: bool(newer_notices(app)))
+
+
+def add_right_foot(station: Records, visit: Visit, make_foot: Callable[[Side], Foot]) -> None:
+    source = ScanSource("mesh", "/nowhere/right.ply", "0" * 64)
+    station.prescriptions.save(visit.id, FootRecord.begun(make_foot(Side.RIGHT), source), None)
+
+
+def test_a_foot_that_was_added_elsewhere_is_newer_than_what_is_open(
+    opened: Application,
+    other_station: Records,
+    visit: Visit,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+) -> None:
+    add_right_foot(other_station, visit, make_foot)
+    told: list[bool] = []
+    opened.services.keeper.when_newest(pytest.fail, lambda: told.append(True))
+    qtbot.waitUntil(lambda: told == [True])
+    look_for_newer(opened, qtbot)
+    opened.services.notices.take("record-outdated")
+    qtbot.waitUntil(lambda: len(opened.case.record.feet) == 2)
+    assert newer_notices(opened) == []
+
+
 def assert_told(dialog: ConflictDialog) -> None:
     texts = " ".join(label.text() for label in dialog.findChildren(QLabel))
     assert "Dr. Dal, capture-room" in texts
@@ -588,6 +620,19 @@ def test_work_on_a_visit_that_was_deleted_elsewhere_is_kept_as_a_new_visit(
     qtbot.waitUntil(lambda: bool(other_station.presence.others(visit.id)))
     with qtbot.waitSignal(lost.controller.closed):
         lost.window.close()
+
+
+def test_nothing_is_exported_of_a_visit_that_was_deleted_elsewhere(
+    clinic: Application, empty: Visit, delete_elsewhere: Callable[[], str], qtbot: QtBot
+) -> None:
+    delete_elsewhere()
+    keeper = clinic.services.keeper
+    for _time in range(2):
+        with qtbot.waitSignal(keeper.lost):
+            keeper.when_newest(pytest.fail, pytest.fail)
+    assert keeper.visit_id == empty.id
+    assert lost_notice(clinic) == [("Keep as a new visit", "Save as a file…")]
+    assert not clinic.services.messages.dialogs
 
 
 def test_all_that_was_meant_for_a_lost_visit_comes_to_the_one_in_its_place(
