@@ -123,6 +123,7 @@ class PatientRecords(QObject):
         services.case.opened.connect(lambda: services.notices.drop(OUTDATED))
         self._keeper.lost.connect(self._offer_lost)
         self._keeper.state_changed.connect(self._drop_lost)
+        self._keeper.state_changed.connect(self._drop_outdated)
         services.recent.changed.connect(self._show_recent_files)
         self._clinic.state_changed.connect(self._show_recent_files)
         self._clinic.state_changed.connect(self._let_add_again)
@@ -659,6 +660,11 @@ class PatientRecords(QObject):
     def _drop_lost(self) -> None:
         if self._keeper.state in (KeepState.SAVED, KeepState.NOTHING):
             self._services.notices.drop(LOST)
+
+    def _drop_outdated(self) -> None:
+        """Drop it for a case that became one of a file, and where a decision takes its place."""
+        if self._keeper.state is KeepState.NOTHING or self._keeper.conflict is not None:
+            self._services.notices.drop(OUTDATED)
 
     def _here(self) -> str:
         who = self._clinic.author

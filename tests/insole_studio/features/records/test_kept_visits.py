@@ -266,6 +266,30 @@ def look_for_newer(app: Application, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: bool(newer_notices(app)))
 
 
+def test_a_newer_version_is_offered_no_longer_once_it_is_decided_on(
+    opened: Application, other_station: Records, records: Records, visit: Visit, qtbot: QtBot
+) -> None:
+    change_elsewhere(other_station, visit, 7.0)
+    look_for_newer(opened, qtbot)
+    thicken(opened, 5.0)
+    dialog = conflict_dialog(opened, qtbot)
+    QTest.mouseClick(dialog.buttons[Choice.MINE], Qt.MouseButton.LeftButton)
+    wait_until_saved(opened, qtbot)
+    assert_kept(opened, records, visit, 5.0, ["A"])
+    assert newer_notices(opened) == []
+    change_elsewhere(other_station, visit, 8.0)
+    look_for_newer(opened, qtbot)
+
+
+def test_a_newer_version_is_not_offered_to_a_case_that_became_one_of_a_file(
+    opened: Application, other_station: Records, visit: Visit, tmp_path: Path, qtbot: QtBot
+) -> None:
+    change_elsewhere(other_station, visit, 7.0)
+    look_for_newer(opened, qtbot)
+    opened.case.mark_saved(opened.case.record, tmp_path / "case.insole")
+    assert newer_notices(opened) == []
+
+
 def add_right_foot(station: Records, visit: Visit, make_foot: Callable[[Side], Foot]) -> None:
     source = ScanSource("mesh", "/nowhere/right.ply", "0" * 64)
     station.prescriptions.save(visit.id, FootRecord.begun(make_foot(Side.RIGHT), source), None)
