@@ -120,6 +120,8 @@ class RecordKeeper(QObject):
         """Whether it is to be kept as a new visit once what is being saved is refused."""
         self._told = ""
         """The last refusal that the user was told: each change after it would tell it again."""
+        self._told_newer: dict[Side, str] = {}
+        """The newest versions when `outdated` was emitted last."""
         self.state = KeepState.NOTHING
         self.trouble = ""
         """Why the case is not in the record yet; empty if it is, or about to be."""
@@ -322,7 +324,7 @@ class RecordKeeper(QObject):
                 return
             assert self._case.kept is not None
             bases = {**self._case.kept.bases, chosen.side: base}
-            self._conflict = None
+            self._conflict, self._told_newer = None, {}
             self._case.keep_foot(chosen, replace(self._case.kept, bases=bases))
             self._go_on_after_conflict()
 
@@ -346,6 +348,7 @@ class RecordKeeper(QObject):
         self._timer.stop()
         self._is_to_move = False
         self._to_export = None
+        self._told_newer = {}
         self._reason, self._told = "", ""
         self._conflict = self._patient_conflict = None
         is_changed = self._case.has_unsaved_changes
@@ -412,9 +415,16 @@ class RecordKeeper(QObject):
             if now.bases != kept.bases:
                 self._look_for_newer()
             elif stored and _is_newer(stored, now) and self.state is KeepState.SAVED:
-                self.outdated.emit()
+                self._tell_newer(stored)
 
         self._clinic.ask(_NEWEST, lambda records: _stored(records, kept), found, _note_failure)
+
+    def _tell_newer(self, stored: _Stored) -> None:
+        """Tell of newer versions once, however often they or anything else are stored again."""
+        versions = {side: version_id for side, (version_id, _revision) in stored.items()}
+        if versions != self._told_newer:
+            self._told_newer = versions
+            self.outdated.emit()
 
     def _note_person(self, visit_id: str, person: Person) -> None:
         if self.visit_id != visit_id:

@@ -26,6 +26,7 @@ from insole_core.foot.foot import Foot
 from insole_core.geometry.side import Side
 from insole_core.given_file import sha256_of
 from insole_core.records.person import Person
+from insole_core.records.prescription import Base
 from insole_core.records.prescriptions import Prescriptions
 from insole_core.records.record_field import FieldChoice
 from insole_core.records.records import Records
@@ -70,12 +71,15 @@ def conflict_dialog(app: Application, qtbot: QtBot) -> ConflictDialog:
     return dialog
 
 
-def change_elsewhere(station: Records, visit: Visit, thickness_mm: float) -> None:
+def change_elsewhere(
+    station: Records, visit: Visit, thickness_mm: float, base: Base | None = None
+) -> Base:
+    """Store the left foot; as more of an editing with the base that it returned before."""
     found = station.visits.open_case(visit.id)
     foot = found.record.of_side(Side.LEFT)
     assert foot is not None
     foot = foot.with_design(replace(foot.design, thickness_mm=thickness_mm))
-    station.prescriptions.save(visit.id, foot, found.bases[Side.LEFT])
+    return station.prescriptions.save(visit.id, foot, base or found.bases[Side.LEFT])
 
 
 @pytest.fixture
@@ -279,6 +283,30 @@ def test_a_newer_version_is_offered_no_longer_once_it_is_decided_on(
     assert newer_notices(opened) == []
     change_elsewhere(other_station, visit, 8.0)
     look_for_newer(opened, qtbot)
+
+
+def test_a_newer_version_is_offered_once_whatever_is_stored_after_it(
+    opened: Application,
+    other_station: Records,
+    visit: Visit,
+    make_foot: Callable[[Side], Foot],
+    qtbot: QtBot,
+) -> None:
+    base = change_elsewhere(other_station, visit, 7.0)
+    look_for_newer(opened, qtbot)
+    told: list[bool] = []
+    opened.services.keeper.outdated.connect(lambda: told.append(True))
+    opened.services.notices.drop("record-outdated")  # as its cross does
+    change_elsewhere(other_station, visit, 7.5, base)
+    other_station.persons.add(Person("Bo Ek"))
+    opened.services.clinic._look_for_changes()
+    qtbot.waitUntil(lambda: not opened.services.clinic.jobs.is_running())
+    QTest.qWait(50)
+    qtbot.waitUntil(lambda: not opened.services.clinic.jobs.is_running())
+    assert (told, newer_notices(opened)) == ([], [])
+    add_right_foot(other_station, visit, make_foot)
+    look_for_newer(opened, qtbot)
+    assert told == [True]
 
 
 def test_a_newer_version_is_not_offered_to_a_case_that_became_one_of_a_file(
