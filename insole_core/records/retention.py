@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
-from datetime import UTC, date, datetime
+from datetime import MAXYEAR, MINYEAR, UTC, date, datetime
 from enum import StrEnum
 from typing import Any, Final
 
@@ -181,11 +181,14 @@ def _count(connection: Connection, table: Table, person_id: str) -> int:
 def retention_years(connection: Connection) -> int:
     """Return for how many years the clinic keeps its record.
 
-    Never less than the law asks for, nor more than can be chosen: earlier programs stored any
+    Never less than the law asks for, nor more than a calendar has: earlier programs stored any
     number.
     """
-    years = int(setting_of(connection, YEARS_VALUE, LEAST_YEARS))
-    return min(max(years, LEAST_YEARS), MOST_YEARS)
+    return min(max(_stored_years(connection), LEAST_YEARS), MAXYEAR)
+
+
+def _stored_years(connection: Connection) -> int:
+    return int(setting_of(connection, YEARS_VALUE, LEAST_YEARS))
 
 
 def years_of_keeping(context: RecordsContext) -> int:
@@ -212,7 +215,7 @@ def keep_for(context: RecordsContext, years: int) -> None:
             most=MOST_YEARS,
         )
     with context.writing(Right.SET_UP) as connection:
-        before = retention_years(connection)
+        before = _stored_years(connection)
         write_setting(connection, YEARS_VALUE, years)
         context.log(connection, "changed", "clinic", YEARS_VALUE, years=years, years_before=before)
 
@@ -431,7 +434,8 @@ def _has_entries(connection: Connection, person_id: str) -> bool:
 def _unused_captures(connection: Connection, person_id: str) -> int:
     """Remove captures that no prescription was made from: they document no device.
 
-    One that was corrected stays in both forms: its correction may say which foot it shows.
+    Of one that was corrected where it was recorded both forms stay: its correction may say which
+    foot it shows. Where a copy from the record was corrected, the correction holds all of that.
     """
     used = captures.alias()
     is_correction = and_(
@@ -483,7 +487,10 @@ def _day(value: str | date) -> date:
 
 
 def _years_later(day: date, years: int) -> date:
+    year = day.year + years
+    if not MINYEAR <= year <= MAXYEAR:
+        return date.max if years > 0 else date.min
     try:
-        return day.replace(year=day.year + years)
+        return day.replace(year=year)
     except ValueError:  # the 29th of February
-        return date(day.year + years, 3, 1)
+        return date(year, 3, 1)

@@ -32,6 +32,7 @@ from insole_core.records.retention import (
     ErasureReason,
     erase_person,
     find_erasable,
+    keep_for,
     kept_until,
     over_retention,
     over_retention_named,
@@ -178,12 +179,20 @@ def test_the_time_of_keeping_follows_the_last_entry_and_the_clinic(
     context: RecordsContext,
 ) -> None:
     # never less than the law, nor more than a calendar has
-    for years, until in ((None, 2037), (15, 2042), (1, 2037), (3000, 2127)):
+    for years, until in ((None, 2037), (15, 2042), (1, 2037), (150, 2177), (3000, 5027)):
         with context.database.writing() as connection:
             write_setting(connection, YEARS_VALUE, 10 if years is None else years)
         with context.database.reading() as connection:
             assert kept_until(connection, "kept") == date(until, 1, 10)
         assert over_retention(context, TODAY) == []
+    with context.database.writing() as connection:
+        write_setting(connection, YEARS_VALUE, 10**12)
+    with context.database.reading() as connection:
+        assert kept_until(connection, "kept") == date.max
+    assert over_retention(context, TODAY) == []
+    keep_for(context, 20)
+    latest = max(rows(context, schema.audit), key=lambda line: line.seq)
+    assert str(10**12) in repr(latest)
 
 
 def test_a_leap_day_is_kept_a_day_longer(context: RecordsContext) -> None:

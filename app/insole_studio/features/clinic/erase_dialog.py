@@ -131,6 +131,8 @@ class EraseDialog(RecordDialog):
 
     def _show_over(self, shown: _Shown) -> None:
         self._over = shown.over
+        # Earlier programs stored any number, which nobody shortens by leaving the field.
+        self.years.setMaximum(max(MOST_YEARS, shown.years))
         self.years.setValue(shown.years)
         self._years = shown.years
         self.over.show_rows([_row(erasable) for erasable in shown.over])
