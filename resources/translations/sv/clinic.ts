@@ -404,6 +404,10 @@
             <translation>Ingen säkerhetskopia gjordes: {reason}</translation>
         </message>
         <message>
+            <source>No lines are shown yet.</source>
+            <translation>Inga rader visas ännu.</translation>
+        </message>
+        <message>
             <source>Nobody seems to be in the record twice. Two persons are found by their names.</source>
             <translation>Ingen verkar finnas två gånger i journalen. Två personer hittas genom sina namn.</translation>
         </message>

@@ -146,6 +146,7 @@ class AuditDialog(VerifyingDialog):
 
         self._lines = []  # those of another filter do not stay below what is told of this one
         self._show_more([])
+        allow(self.more, tr("No lines are shown yet."))
         try:
             wanted = AuditFilter(
                 self.pseudonym.text().strip(),

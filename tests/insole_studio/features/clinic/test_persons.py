@@ -184,6 +184,7 @@ def test_the_log_is_filtered_by_patient_author_and_day_and_verified(
     assert "is no date" in dialog.message.text()
     assert dialog.table.rows == ()
     assert not dialog.more.isEnabled()
+    assert "No lines are shown yet" in dialog.more.toolTip()  # older ones, there may be
     type_into(dialog.first_day, (date.today() + timedelta(days=3)).isoformat())
     QTest.keyClick(dialog.first_day, Qt.Key.Key_Return)
     rest()
@@ -208,6 +209,7 @@ def test_older_lines_come_on_request(
     rest()
     assert len(dialog.table.rows) == 250
     assert not dialog.more.isEnabled()
+    assert "There are no older lines" in dialog.more.toolTip()
 
 
 def test_those_whose_time_is_over_are_listed_and_erased_once_that_was_confirmed(
