@@ -120,7 +120,7 @@ class PatientRecords(QObject):
         self._transfer: RecordTransfer | None = None
         self._keeper.conflicted.connect(self.decide)
         self._keeper.outdated.connect(self._offer_newer)
-        services.case.opened.connect(lambda: services.notices.drop(OUTDATED))
+        services.case.opened.connect(self._forget_outdated)
         self._keeper.lost.connect(self._offer_lost)
         self._keeper.state_changed.connect(self._drop_lost)
         self._keeper.state_changed.connect(self._drop_outdated)
@@ -660,6 +660,9 @@ class PatientRecords(QObject):
     def _drop_lost(self) -> None:
         if self._keeper.state in (KeepState.SAVED, KeepState.NOTHING):
             self._services.notices.drop(LOST)
+
+    def _forget_outdated(self) -> None:
+        self._services.notices.drop(OUTDATED)
 
     def _drop_outdated(self) -> None:
         """Drop it for a case that became one of a file, and where a decision takes its place."""
