@@ -95,9 +95,14 @@ class Pelott(PadForm, Correction):
             width=number_message(self.width_mm),
         )
 
+    @property
+    def has_plain_height(self) -> bool:
+        """Whether its height is told as a number alone, without saying high or deep."""
+        return self.height_mm >= 0 and not self.is_recess
+
     def height_text(self) -> Message:
         """Return its height, or the depth of a recess."""
-        if self.height_mm >= 0 and not self.is_recess:
+        if self.has_plain_height:
             return mm_message(self.height_mm)
         if self.height_mm > 0:
             return Message("{height} mm high", height=number_message(self.height_mm))

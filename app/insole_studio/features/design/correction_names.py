@@ -44,7 +44,7 @@ def pad_text(pad: LibraryPad) -> str:
         size = height
     else:
         size = f"{_plain(template.length_mm)} × {_plain(template.width_mm)}"
-        size = f"{size} × {height}" if template.height_mm >= 0 else f"{size} mm, {height}"
+        size = f"{size} × {height}" if template.has_plain_height else f"{size} mm, {height}"
     name = " ".join(word for word in (name_of(template), pad.size) if word)
     return f"{name}   {size}"
 

@@ -22,11 +22,18 @@ class DoseChart(QWidget):
         super().__init__()
         self._curve: DoseCurve | None = None
         self._percent = 0.0
+        self._factor = 1.0
         self.hide()
 
-    def show_curve(self, curve: DoseCurve | None, percent: float) -> None:
-        """Show a curve, and the change that is asked for; None hides the plot."""
-        self._curve, self._percent = curve, percent
+    def show_curve(self, curve: DoseCurve | None, percent: float, factor: float = 1.0) -> None:
+        """Show a curve, and the change that is asked for; None hides the plot.
+
+        Parameters
+        ----------
+        factor
+            By which the field of the pad shows its height: -1 for a depth.
+        """
+        self._curve, self._percent, self._factor = curve, percent, factor
         self.setVisible(curve is not None)
         self.update()
 
@@ -37,6 +44,10 @@ class DoseChart(QWidget):
     def minimumSizeHint(self) -> QSize:
         """Return the size hint: the plot does not shrink."""
         return self.sizeHint()
+
+    def dose_text(self, dose_mm: float) -> str:
+        """Return how the axis names a height, which is a depth of a relief."""
+        return f"{localised(self._factor * dose_mm + 0.0)} mm"
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw axes, curve, target and the dose that reaches it."""
@@ -64,7 +75,7 @@ class DoseChart(QWidget):
         for dose in (0.0, end):
             middle = place(dose, low).x()
             text = QRectF(middle - 40, area.bottom() + 2, 40 + _RIGHT_PX, 18)
-            painter.drawText(text, Qt.AlignmentFlag.AlignRight, f"{localised(dose)} mm")
+            painter.drawText(text, Qt.AlignmentFlag.AlignRight, self.dose_text(dose))
         painter.drawLine(area.bottomLeft(), area.bottomRight())
         painter.drawLine(area.bottomLeft(), area.topLeft())
         painter.setPen(QPen(_TARGET, 1.5, Qt.PenStyle.DashLine))

@@ -144,8 +144,9 @@ class LoadActions:
         design, target = self._case.record.design, self._load.target
         curve = None if target is None else self._load.curve
         untold = translate_core_message(self._load.untold_target)
-        dialog.chart.show_curve(curve, dialog.percent.value())
         pad = None if target is None or design is None else design.found(target.pad_id, Pelott)
+        factor = 1.0 if pad is None else _height_of(pad).factor
+        dialog.chart.show_curve(curve, dialog.percent.value(), factor)
         if design is not None and dialog.region.currentData() and not design.of(Pelott):
             dialog.dose.say(tr("The design has no pad whose height could be varied."))
         elif untold:
@@ -251,12 +252,16 @@ def _span_text(text: str, curve: DoseCurve) -> str:
     return fill(text, low=low, high=high)
 
 
-def _dose_text(dose: Dose, pad: Pelott, percent: float) -> str:
-    """Return which height reaches a change, with its own limits or why there are none."""
+def _height_of(pad: Pelott) -> Number:
     found = pad.declared("height_mm")
     assert isinstance(found, Number)
+    return found
+
+
+def _dose_text(dose: Dose, pad: Pelott, percent: float) -> str:
+    """Return which height reaches a change, with its own limits or why there are none."""
     texts = {
-        "dose": localised(found.factor * dose.height_mm),  # as its field has it
+        "dose": localised(_height_of(pad).factor * dose.height_mm),  # as its field has it
         "pad": name_of(pad),
         "percent": _percent(percent),
     }
